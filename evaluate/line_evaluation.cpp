@@ -4,9 +4,9 @@
 namespace ridgeline::evaluate {
 
 bool in_range(const Segment3& segment_in_local) {
-  static constexpr double kFarthest_m = 1e7;
+  static constexpr double kMaxCoordinate_m = 1e7;
   const auto is_near = [](const Eigen::Vector3d& x) {
-    return (x.array().abs() <= kFarthest_m).all();  // false for NaN
+    return (x.array().abs() <= kMaxCoordinate_m).all();  // false for NaN
   };
   return is_near(segment_in_local.start) && is_near(segment_in_local.end);
 }

@@ -88,7 +88,7 @@ bool in_range(const Segment3& segment_in_local);
 /// A line is `out_of_range` if both ends have exactly the same height and it is more than this above or below all points
 /// around the line. That height was not measured: it is a mark for a missing height (0, -9999). A tool's error may be
 /// as large, but it does not give both ends the same height.
-inline constexpr double kFarthestHeight_m = 100.0;
+inline constexpr double kMaxHeightOffset_m = 100.0;
 
 /// A line to be judged. Local metres.
 struct JudgedLine {

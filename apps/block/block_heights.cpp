@@ -15,7 +15,7 @@ BlockHeights::BlockHeights(const io::PatchFile& block, double overlap_m) : block
 }
 
 void BlockHeights::read_sample(double overlap_m) {
-  constexpr std::uint64_t kMost = 2'000'000;
+  constexpr std::uint64_t kMaxPoints = 2'000'000;
   constexpr double kFar_m = 1e5;  // beyond all heights on Earth
   io::CloudFiles files(block_.lidar, {});
   if (!block_.area_m.empty()) {
@@ -23,7 +23,7 @@ void BlockHeights::read_sample(double overlap_m) {
     files.set_bounds({Eigen::Vector3d(plan.min().x(), plan.min().y(), -kFar_m),
                       Eigen::Vector3d(plan.max().x(), plan.max().y(), kFar_m)});
   }
-  const io::PointCloud cloud = files.read_thinned(std::nullopt, kMost);
+  const io::PointCloud cloud = files.read_thinned(std::nullopt, kMaxPoints);
   std::vector<double> heights_m;
   heights_m.reserve(cloud.points.size());
   for (const io::CloudPoint& point : cloud.points) {

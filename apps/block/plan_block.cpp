@@ -69,11 +69,12 @@ Eigen::AlignedBox2d extent_of(const io::PatchFile& patch, const BlockHeights& he
 std::vector<GridCell> squares_of(const PatchGrid& grid,
                                  const Eigen::AlignedBox2d& extent,
                                  const std::vector<Eigen::Vector2d>& area) {
-  constexpr std::int64_t kMost = 1'000'000;
+  constexpr std::int64_t kMaxSquares = 1'000'000;
   const GridCell first = grid.cell_of(extent.min());
   const GridCell last = grid.cell_of(extent.max());
-  check((last.column - first.column + 1) * (last.row - first.row + 1) <= kMost,
-        "patch_size_m = ", grid.size_m(), " cuts the block into more than ", kMost, " squares");
+  check((last.column - first.column + 1) * (last.row - first.row + 1) <= kMaxSquares,
+        "patch_size_m = ", grid.size_m(), " cuts the block into more than ", kMaxSquares,
+        " squares");
   std::vector<GridCell> squares;
   for (std::int64_t column = first.column; column <= last.column; ++column) {
     for (std::int64_t row = first.row; row <= last.row; ++row) {

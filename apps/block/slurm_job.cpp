@@ -14,9 +14,9 @@ namespace ridgeline::apps {
 namespace {
 
 /// Slurm's default of MaxArraySize is 1001, and the numbers of elements must be below it.
-constexpr std::size_t kMostElements = 1000;
+constexpr std::size_t kMaxElements = 1000;
 /// Slurm takes 0.2 s to start an element.
-constexpr double kShortestElement_s = 60.0;
+constexpr double kMinElementTime_s = 60.0;
 /// Margins over what is foreseen: hosts differ and share their disks; an element may wait for its second attempt; the shell and
 /// libraries need memory, too.
 constexpr double kTimeMargin = 3.0;
@@ -51,9 +51,9 @@ std::string command_of(const SlurmJob& job) {
 std::size_t quotient_up(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
 
 std::size_t tasks_per_element(const SlurmJob& job) {
-  const std::size_t least = quotient_up(job.n_tasks, kMostElements);
+  const std::size_t least = quotient_up(job.n_tasks, kMaxElements);
   const double mean_s = job.total_task_s / static_cast<double>(job.n_tasks);
-  const double wanted = mean_s > 0.0 ? std::ceil(kShortestElement_s / mean_s) : 1.0;
+  const double wanted = mean_s > 0.0 ? std::ceil(kMinElementTime_s / mean_s) : 1.0;
   const auto n_tasks = static_cast<double>(job.n_tasks);
   return std::max(least, static_cast<std::size_t>(std::clamp(wanted, 1.0, n_tasks)));
 }

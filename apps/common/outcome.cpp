@@ -83,12 +83,12 @@ std::string why_none_is_judged(const PatchCounts& counts, std::span<const Evalua
 
 /// The smallest median distance of the methods; nothing unless each method has enough judged lines for a median.
 std::optional<double> least_median_m(std::span<const Evaluation> evaluations) {
-  constexpr std::size_t kFewestLines = 10;
+  constexpr std::size_t kMinLines = 10;
   std::optional<double> least;
   for (const Evaluation& evaluation : evaluations) {
     for (const evaluate::Summary& summary : evaluation.classes) {
       if (summary.line_class != "total") continue;
-      if (summary.n_evaluated < kFewestLines || !summary.median_m) return std::nullopt;
+      if (summary.n_evaluated < kMinLines || !summary.median_m) return std::nullopt;
       least = std::min(least.value_or(*summary.median_m), *summary.median_m);
     }
   }

@@ -66,23 +66,23 @@ void add_overwrite_flag(CLI::App& app, bool& overwrite) {
 }
 
 void add_image_size_option(CLI::App& app, double& max_image_mpx) {
-  constexpr double kMost_mpx = static_cast<double>(io::kMaxImagePixels) / 1e6;
+  constexpr double kMaxImageSize_mpx = static_cast<double>(io::kMaxImagePixels) / 1e6;
   app.add_option("--max-image-mpx", max_image_mpx,
                  fmt::format("largest image to be read, million pixels; 0: {:g}, and of a small "
                              "file no more than {:g} "
                              "and {:g} pixels per byte",
                              io::kDefaultMaxImage_mpx, io::kFreeImage_mpx, io::kMaxPixelsPerByte))
-      ->check(in_range(0.0, kMost_mpx))
+      ->check(in_range(0.0, kMaxImageSize_mpx))
       ->capture_default_str();
 }
 
 void add_pair_check_option(CLI::App& app, double& max_y_parallax_px) {
-  constexpr double kMost_px = 1e6;
+  constexpr double kMaxParallax_px = 1e6;
   app.add_option("--max-y-parallax-px", max_y_parallax_px,
                  "images do not fit their cameras if points that both show lie farther from the "
                  "epipolar lines of "
                  "each other, median, px; 0: no check")
-      ->check(in_range(0.0, kMost_px))
+      ->check(in_range(0.0, kMaxParallax_px))
       ->capture_default_str();
 }
 

@@ -190,8 +190,8 @@ void print_radiometry(const std::string& path, const io::ImageFacts& facts) {
 /// Prints how sharp the middle of an image is.
 void print_edges(const std::string& path, const io::ImageFacts& facts) {
   constexpr int kSide_px = 1024;
-  constexpr int kSmallest_px = 64;
-  if (std::min(facts.width_px, facts.height_px) < kSmallest_px) return;
+  constexpr int kMinSide_px = 64;
+  if (std::min(facts.width_px, facts.height_px) < kMinSide_px) return;
   const cv::Size size(std::min(kSide_px, facts.width_px), std::min(kSide_px, facts.height_px));
   const io::Window middle{(facts.width_px - size.width) / 2, (facts.height_px - size.height) / 2,
                           size.width, size.height};

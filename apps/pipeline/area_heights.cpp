@@ -25,7 +25,7 @@ struct Lidar {
 
 /// The LIDAR of a patch, within the box around its area; thinned where there are very many points.
 Lidar lidar_of(const io::PatchFile& patch) {
-  constexpr std::uint64_t kMost = 2'000'000;
+  constexpr std::uint64_t kMaxPoints = 2'000'000;
   io::CloudFiles files(patch.lidar, {});
   if (!patch.area_m.empty()) {
     const Eigen::AlignedBox2d plan = box_around(patch.area_m);
@@ -33,7 +33,7 @@ Lidar lidar_of(const io::PatchFile& patch) {
     files.set_bounds({Eigen::Vector3d(plan.min().x(), plan.min().y(), -kFar_m),
                       Eigen::Vector3d(plan.max().x(), plan.max().y(), kFar_m)});
   }
-  const io::PointCloud cloud = files.read_thinned(std::nullopt, kMost);
+  const io::PointCloud cloud = files.read_thinned(std::nullopt, kMaxPoints);
   Lidar lidar{{}, cloud.crs};
   lidar.points_in_world.reserve(cloud.points.size());
   for (const io::CloudPoint& x : cloud.points)
@@ -108,10 +108,10 @@ std::vector<double> heights_of_model(const io::PatchFile& patch) {
 }  // namespace
 
 std::array<double, 2> height_limits_m(std::span<const double> heights_m) {
-  constexpr double kLeastShare = 1e-3;
+  constexpr double kMinShare = 1e-3;
   std::vector<double> sorted(heights_m.begin(), heights_m.end());
   std::ranges::sort(sorted);
-  const double least = kLeastShare * static_cast<double>(sorted.size());
+  const double least = kMinShare * static_cast<double>(sorted.size());
   double low = sorted.back();
   double high = sorted.front();
   std::size_t first = 0;  // of a group without a gap

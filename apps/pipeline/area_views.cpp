@@ -111,13 +111,13 @@ std::vector<io::PatchImage> best_images(const io::PatchFile& patch) {
 }
 
 std::vector<io::PatchImage> images_without_file(const io::PatchFile& patch) {
-  constexpr double kLeastShare = 0.1;
+  constexpr double kMinShare = 0.1;
   const Area area(patch);
   const Points points = area.points_in_local();
   std::vector<io::PatchImage> found;
   for (const io::PatchImage& image : patch.without_file) {
     if (!image.interior || !image.interior->size_px) continue;
-    if (reconstruct::seen_share(candidate_of(image, area.origin_m()), points) >= kLeastShare)
+    if (reconstruct::seen_share(candidate_of(image, area.origin_m()), points) >= kMinShare)
       found.push_back(image);
   }
   return found;

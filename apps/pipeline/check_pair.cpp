@@ -111,8 +111,8 @@ bool fits_far_better(const PairFit& other, const PairFit& given, const PairReadi
 /// the images share: below this number they could outvote the others.
 std::size_t fewest_points(const CheckedPair& pair) {
   constexpr double kOfEqualImages = 30.0;
-  constexpr double kLeastShare = 0.1;
-  return static_cast<std::size_t>(kOfEqualImages / std::max(pair.common_share, kLeastShare));
+  constexpr double kMinShare = 0.1;
+  return static_cast<std::size_t>(kOfEqualImages / std::max(pair.common_share, kMinShare));
 }
 
 /// Checks one pair; see check_pairs().
@@ -154,11 +154,11 @@ double pixel_on_object_m(const reconstruct::View& view, const std::array<double,
 /// A warning of images so close or so far that the units of the patch are hardly metres, as many limits of the program are.
 std::optional<std::string> doubt_of_units(const io::PatchFile& patch,
                                           const reconstruct::Scene& scene) {
-  constexpr double kSmallest_m = 0.002;
-  constexpr double kLargest_m = 5.0;
+  constexpr double kMinPixel_m = 0.002;
+  constexpr double kMaxPixel_m = 5.0;
   const reconstruct::View& view = scene.views[0];
   const double pixel_m = pixel_on_object_m(view, scene.height_range_in_local_m);
-  if (pixel_m >= kSmallest_m && pixel_m <= kLargest_m) return std::nullopt;
+  if (pixel_m >= kMinPixel_m && pixel_m <= kMaxPixel_m) return std::nullopt;
   return fmt::format(
       "{}: a pixel of image {} is {:.2g} m long on the object; lengths of a patch are metres, as "
       "are "
@@ -170,14 +170,14 @@ std::optional<std::string> doubt_of_units(const io::PatchFile& patch,
 std::optional<std::string> doubt_of_base(const io::PatchFile& patch,
                                          const reconstruct::Scene& scene,
                                          const ViewPair& pair) {
-  constexpr double kShort = 0.05;
-  constexpr double kLong = 1.0;
+  constexpr double kMinBaseRatio = 0.05;
+  constexpr double kMaxBaseRatio = 1.0;
   const double ratio = reconstruct::common_place(scene, pair).base_to_height;
-  if (ratio >= kShort && ratio <= kLong) return std::nullopt;
-  return fmt::format(
-      "{}: the base of {} and {} is {:.2g} of the height; {}", patch.path,
-      patch.images[pair.base].path, patch.images[pair.search].path, ratio,
-      ratio < kShort ? "heights are uncertain below 0.05" : "surfaces look too different above 1");
+  if (ratio >= kMinBaseRatio && ratio <= kMaxBaseRatio) return std::nullopt;
+  return fmt::format("{}: the base of {} and {} is {:.2g} of the height; {}", patch.path,
+                     patch.images[pair.base].path, patch.images[pair.search].path, ratio,
+                     ratio < kMinBaseRatio ? "heights are uncertain below 0.05"
+                                           : "surfaces look too different above 1");
 }
 
 }  // namespace

@@ -113,8 +113,8 @@ bool is_utf8(const std::string& text) {
 }
 
 bool is_file_name(const std::string& id) {
-  constexpr std::size_t kLongest = 100;
-  if (id.empty() || id.size() > kLongest || id.front() == '.') return false;
+  constexpr std::size_t kMaxLength = 100;
+  if (id.empty() || id.size() > kMaxLength || id.front() == '.') return false;
   if (id.front() == ' ' || id.back() == ' ') return false;
   return std::ranges::none_of(id, [](char c) {
     const auto byte = static_cast<unsigned char>(c);

@@ -30,7 +30,7 @@ struct Candidate {
 std::optional<Candidate> candidate_of(const io::Orientation& orientation,
                                       std::size_t number,
                                       const std::optional<std::string>& file) {
-  constexpr double kMost_mpx = 16.0;
+  constexpr double kMaxSize_mpx = 16.0;
   constexpr double kSameShape = 0.01;
   const io::OrientedImage& image = orientation.images[number];
   if (!file || !image.camera) return std::nullopt;
@@ -42,7 +42,7 @@ std::optional<Candidate> candidate_of(const io::Orientation& orientation,
     const Eigen::Vector2d scale = size->cast<double>().cwiseQuotient(file_px);
     if (std::abs(scale.x() / scale.y() - 1.0) > kSameShape) return std::nullopt;
     const int reduction =
-        std::max(1, static_cast<int>(std::ceil(std::sqrt(file_px.prod() / (1e6 * kMost_mpx)))));
+        std::max(1, static_cast<int>(std::ceil(std::sqrt(file_px.prod() / (1e6 * kMaxSize_mpx)))));
     return Candidate{number, *file, reduction, reduction * scale.x()};
   } catch (const io::IoError&) {
     return std::nullopt;
@@ -52,9 +52,9 @@ std::optional<Candidate> candidate_of(const io::Orientation& orientation,
 /// The candidates that have files, at most `most`.
 std::vector<Candidate> candidates_of(const io::Orientation& orientation,
                                      const io::ImageFiles& files) {
-  constexpr std::size_t kMost = 200;
+  constexpr std::size_t kMaxCandidates = 200;
   std::vector<Candidate> found;
-  for (std::size_t i = 0; i < orientation.images.size() && found.size() < kMost; ++i) {
+  for (std::size_t i = 0; i < orientation.images.size() && found.size() < kMaxCandidates; ++i) {
     if (auto candidate = candidate_of(orientation, i, files[i])) found.push_back(*candidate);
   }
   return found;
@@ -110,13 +110,13 @@ std::optional<std::string> image_file_in(const std::string& folder,
 
 std::vector<io::PointObservation> find_image_points(const io::Orientation& orientation,
                                                     const io::ImageFiles& files) {
-  constexpr std::size_t kMostPairs = 4;
+  constexpr std::size_t kMaxPairs = 4;
   const std::vector<Candidate> candidates = candidates_of(orientation, files);
   std::vector<io::PointObservation> points;
   std::size_t n_points = 0;
   std::size_t n_pairs = 0;
   for (const auto& [i, j] : nearest_pairs(orientation, candidates)) {
-    if (n_pairs++ == kMostPairs) break;
+    if (n_pairs++ == kMaxPairs) break;
     const Candidate& a = candidates[i];
     const Candidate& b = candidates[j];
     for (const reconstruct::PointMatch& match : matches_of(a, b)) {

@@ -18,9 +18,9 @@ namespace {
 class SegmentPicture {
  public:
   explicit SegmentPicture(const cv::Mat& image) {
-    constexpr double kMostPixels = 4e6;  // pixels of the image; the canvas has four times as many
+    constexpr double kMaxPixels = 4e6;  // pixels of the image; the canvas has four times as many
     cv::Mat shown = image;
-    scale_ = std::min(1.0, std::sqrt(kMostPixels / static_cast<double>(image.total())));
+    scale_ = std::min(1.0, std::sqrt(kMaxPixels / static_cast<double>(image.total())));
     if (scale_ < 1.0) cv::resize(image, shown, {}, scale_, scale_, cv::INTER_AREA);
     canvas_ = overlay_canvas(shown);
     canvas_scale_ = static_cast<double>(canvas_.cols) / shown.cols;

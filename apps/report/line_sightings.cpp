@@ -61,7 +61,7 @@ LineInView sighted(const ReportImages& images,
   const auto offset = offset_of(camera, *segment, *line.covariance_m2, *seen.px,
                                 own == nullptr ? nullptr : &own->line);
   if (!offset) return {ViewOfLine::kSighted, {}};
-  const bool differs = offset->offset_px > kMostSigmas * offset->sigma_px;
+  const bool differs = offset->offset_px > kMaxSigmas * offset->sigma_px;
   return {differs ? ViewOfLine::kDiffers : ViewOfLine::kAgrees, offset};
 }
 

@@ -37,8 +37,8 @@ std::optional<Offset> offset_of(const ProjectionMatrix& camera,
                                 const Eigen::Matrix<double, 6, 6>& covariance_m2,
                                 const Segment2& px,
                                 const UncertainSegment2* uncertain) {
-  constexpr double kShortest_px = 1.0;  // what is shorter has no direction
-  if (!(length(project(camera, line)) > kShortest_px)) return std::nullopt;
+  constexpr double kMinLength_px = 1.0;  // what is shorter has no direction
+  if (!(length(project(camera, line)) > kMinLength_px)) return std::nullopt;
   Vector6d ends;
   ends << line.start, line.end;
   const Eigen::Vector2d d = distances_px(camera, ends, px);

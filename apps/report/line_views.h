@@ -35,7 +35,7 @@ std::optional<Offset> offset_of(const ProjectionMatrix& image_from_local,
                                 const UncertainSegment2* uncertain);
 
 /// A segment off by more of its sigmas than this disagrees with its line: one end of a thousand does by chance.
-inline constexpr double kMostSigmas = 3.29;
+inline constexpr double kMaxSigmas = 3.29;
 
 /// What an image shows of a line.
 enum class ViewOfLine : std::uint8_t {

@@ -147,7 +147,7 @@ void read_points(const std::vector<std::string>& files,
                  const RunInputs& inputs,
                  ReportPatch& patch) {
   for (const std::string& file : io::expand_patterns(files)) (void)inputs.unchanged(file);
-  constexpr std::uint64_t kMostPoints = 4'000'000;  // held while they are thinned, 128 MB
+  constexpr std::uint64_t kMaxPoints = 4'000'000;  // held while they are thinned, 128 MB
   io::ReadOptions options = inputs.cloud_options();
   options.frame = patch.frame;
   io::CloudFiles cloud_files(files, options);
@@ -157,7 +157,7 @@ void read_points(const std::vector<std::string>& files,
   } else if (const auto box = box_of_lines(patch)) {
     cloud_files.set_bounds(*box);
   }
-  const io::PointCloud cloud = cloud_files.read_thinned(near, kMostPoints);
+  const io::PointCloud cloud = cloud_files.read_thinned(near, kMaxPoints);
   patch.cloud = shown_cloud(cloud, near.has_value());
   patch.notes.insert(patch.notes.end(), cloud.warnings.begin(), cloud.warnings.end());
 }

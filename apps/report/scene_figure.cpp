@@ -118,10 +118,11 @@ void draw_points(const ShownCloud& points, const ShownPlanes& planes, SceneCanva
 }
 
 void draw_line(const Segment3& segment, const cv::Scalar& colour, int width, SceneCanvas& scene) {
-  constexpr double kFarthest_px = 1e5;  // fixed point coordinates must not overflow
+  constexpr double kMaxCoordinate_px = 1e5;  // fixed point coordinates must not overflow
   const Eigen::Vector2d a = scene.at(segment.start);
   const Eigen::Vector2d b = scene.at(segment.end);
-  if (a.cwiseAbs().maxCoeff() > kFarthest_px || b.cwiseAbs().maxCoeff() > kFarthest_px) return;
+  if (a.cwiseAbs().maxCoeff() > kMaxCoordinate_px || b.cwiseAbs().maxCoeff() > kMaxCoordinate_px)
+    return;
   const auto fixed = [](const Eigen::Vector2d& x) {
     constexpr double kScale = 1U << static_cast<unsigned>(kFractionBits);
     return cv::Point(cvRound(x.x() * kScale), cvRound(x.y() * kScale));

@@ -29,10 +29,10 @@ struct Density {
 /// The density, and the share of cells without points. If only a share of the points is there, the cells are larger, so that
 /// as many of them have a point.
 Density density_of(const std::vector<io::CloudPoint>& points, double share) {
-  constexpr double kMostCells = 1e7;
+  constexpr double kMaxCells = 1e7;
   const auto [low, high] = box_of(points);
   const Eigen::Vector2d extent = (high - low).cwiseMax(1.0);
-  const double cell_m = std::max(1.0 / std::sqrt(share), std::sqrt(extent.prod() / kMostCells));
+  const double cell_m = std::max(1.0 / std::sqrt(share), std::sqrt(extent.prod() / kMaxCells));
   const Eigen::Vector2i n = (extent / cell_m).array().ceil().cast<int>();
   std::vector<char> occupied(static_cast<std::size_t>(n.x()) * static_cast<std::size_t>(n.y()), 0);
   for (const io::CloudPoint& p : points) {

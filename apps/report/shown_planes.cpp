@@ -30,8 +30,8 @@ std::vector<ShownPlane> planes_of(const std::vector<evaluate::LineEvaluation>& l
   std::stable_sort(planes.begin(), planes.end(), [](const ShownPlane& a, const ShownPlane& b) {
     return a.n_inliers > b.n_inliers;
   });
-  constexpr std::size_t kMost = std::numeric_limits<std::uint16_t>::max();  // 0 is no plane
-  if (planes.size() > kMost) planes.resize(kMost);
+  constexpr std::size_t kMaxPlanes = std::numeric_limits<std::uint16_t>::max();  // 0 is no plane
+  if (planes.size() > kMaxPlanes) planes.resize(kMaxPlanes);
   return planes;
 }
 

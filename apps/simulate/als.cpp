@@ -144,7 +144,7 @@ class AlsScanner::Impl {
                   std::vector<io::CloudPoint>& out) const {
     const Eigen::Vector3d direction = (pulse.target_m - pulse.origin_m).normalized();
     if (random.chance(options_.outlier_share)) {
-      const double height_m = random.uniform(-15.0, kHighestOutlierM);
+      const double height_m = random.uniform(-15.0, kMaxOutlierHeightM);
       const Eigen::Vector3d x = pulse.target_m - direction * (height_m / -direction.z());
       append(x, {kOutlierClass, 100.0}, strip, 1, 1, random, out);
       return;

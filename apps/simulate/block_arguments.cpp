@@ -38,12 +38,12 @@ void check_options(const CLI::App& app, bool is_block) {
 void set_camera(const CLI::App& app, simulate::FlightOptions& flight) {
   constexpr double kFocalPerColumn = 10000.0 / 7680.0;
   constexpr double kPixel_m = 0.08;
-  constexpr double kLeastHeight_m = 200.0;
+  constexpr double kMinHeight_m = 200.0;
   if (app.count("--focal-length-px") == 0) {
     flight.focal_length_px = kFocalPerColumn * flight.frame_px->x();
   }
   if (app.count("--camera-height-m") == 0) {
-    flight.height_above_ground_m = std::max(kLeastHeight_m, kPixel_m * flight.focal_length_px);
+    flight.height_above_ground_m = std::max(kMinHeight_m, kPixel_m * flight.focal_length_px);
   }
 }
 

@@ -25,10 +25,10 @@ struct BlockPlan {
 BlockPlan plan_of(const BlockOptions& block, const FlightOptions& flight) {
   validate(block);
   validate(flight);
-  check(block.num_strips >= 1 && block.num_strips <= kMostOfABlock,
-        "strips of a block = ", block.num_strips, ", must be in [1, ", kMostOfABlock, "]");
-  check(block.num_frames >= 2 && block.num_frames <= kMostOfABlock,
-        "frames of a strip = ", block.num_frames, ", must be in [2, ", kMostOfABlock, "]");
+  check(block.num_strips >= 1 && block.num_strips <= kMaxStripsOrFrames,
+        "strips of a block = ", block.num_strips, ", must be in [1, ", kMaxStripsOrFrames, "]");
+  check(block.num_frames >= 2 && block.num_frames <= kMaxStripsOrFrames,
+        "frames of a strip = ", block.num_frames, ", must be in [2, ", kMaxStripsOrFrames, "]");
   check(flight.frame_px.has_value(), "a block, must have whole frames");
   const double pixel_m = flight.height_above_ground_m / flight.focal_length_px;
   const Eigen::Vector2d frame_m = pixel_m * flight.frame_px->cast<double>();
@@ -46,12 +46,12 @@ Eigen::Vector2d shown_twice_m(const BlockOptions& block, const BlockPlan& plan) 
 Eigen::Vector2d margin_m(const BlockPlan& plan,
                          const FlightOptions& flight,
                          double terrain_slope_deg) {
-  constexpr double kHighest_m = 15.0;  // of houses and trees
+  constexpr double kMaxObjectHeight_m = 15.0;  // of houses and trees
   constexpr double kSigmas = 4.0;
   const double height_m = flight.height_above_ground_m;
   const Eigen::Vector2d half_m = 0.5 * plan.frame_m;
   const double slope = std::tan(kRadPerDeg * terrain_slope_deg);
-  const Eigen::Vector2d relief_m = slope * half_m + Eigen::Vector2d::Constant(kHighest_m);
+  const Eigen::Vector2d relief_m = slope * half_m + Eigen::Vector2d::Constant(kMaxObjectHeight_m);
   const double sigma_rad = kRadPerDeg * flight.attitude_sigma_deg;
   const double sigma_m = std::hypot(flight.position_sigma_m, sigma_rad * height_m,  // omega, phi
                                     sigma_rad * half_m.norm());                     // kappa
@@ -123,9 +123,9 @@ Eigen::Vector2d block_extent_m(const BlockOptions& block,
       (shown_twice_m(block, plan) - 2.0 * margin_m(plan, flight, terrain_slope_deg))
           .array()
           .floor();
-  check((extent_m.array() >= kLeastExtent_m).all() && (extent_m.array() <= kMostExtent_m).all(),
+  check((extent_m.array() >= kMinExtent_m).all() && (extent_m.array() <= kMaxExtent_m).all(),
         "two frames of each strip of the block show ", extent_m.x(), " x ", extent_m.y(),
-        " m, must be ", kLeastExtent_m, " to ", kMostExtent_m,
+        " m, must be ", kMinExtent_m, " to ", kMaxExtent_m,
         " m each; choose other numbers of strips and frames, another size of the frames or another "
         "camera height");
   return extent_m;

@@ -16,19 +16,19 @@
 namespace ridgeline::simulate {
 
 /// The strips of one direction, and the frames of one of them, are no more than this.
-inline constexpr int kMostOfABlock = 99;
+inline constexpr int kMaxStripsOrFrames = 99;
 
 /// The strips of a photogrammetric block. Camera, flying height and errors are those of FlightOptions with whole frames.
 struct BlockOptions {
-  int num_strips = 2;            ///< along x, 1 to kMostOfABlock
-  int num_frames = 3;            ///< of each of these, 2 to kMostOfABlock
+  int num_strips = 2;            ///< along x, 1 to kMaxStripsOrFrames
+  int num_frames = 3;            ///< of each of these, 2 to kMaxStripsOrFrames
   int num_cross_strips = 0;      ///< along y
   double forward_overlap = 0.6;  ///< of neighbours in a strip
   double side_overlap = 0.3;     ///< of neighbouring strips
 
   static constexpr auto fields() {
     using O = BlockOptions;
-    return std::tuple{Field{"cross_strips", &O::num_cross_strips, 0, kMostOfABlock,
+    return std::tuple{Field{"cross_strips", &O::num_cross_strips, 0, kMaxStripsOrFrames,
                             "further strips along y, with as many frames each as the block needs"},
                       Field{"forward_overlap", &O::forward_overlap, 0.5, 0.95,
                             "share of its columns that the next frame of the strip shows again"},

@@ -35,8 +35,8 @@ Eigen::Matrix<double, 6, 6> claimed_covariance_m2(const DegradeOptions& o) {
 }
 
 Segment3 moved(const Segment3& segment, const DegradeOptions& o, Random& random) {
-  constexpr double kLeastGrossM = 2.0;
-  constexpr double kMostGrossM = 8.0;
+  constexpr double kMinGrossErrorM = 2.0;
+  constexpr double kMaxGrossErrorM = 8.0;
   const auto plan_error = [&] {
     const double x = o.plan_sigma_m * random.normal();
     return Eigen::Vector3d(x, o.plan_sigma_m * random.normal(), 0.0);
@@ -46,7 +46,7 @@ Segment3 moved(const Segment3& segment, const DegradeOptions& o, Random& random)
   double offset_m = o.height_sigma_m * random.normal();
   const double tilt_m = o.tilt_sigma_m * random.normal();
   if (random.chance(o.gross_share)) {
-    const double size_m = random.uniform(kLeastGrossM, kMostGrossM);
+    const double size_m = random.uniform(kMinGrossErrorM, kMaxGrossErrorM);
     offset_m += random.chance(0.5) ? size_m : -size_m;
   }
   const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();

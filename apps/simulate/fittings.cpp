@@ -234,7 +234,7 @@ void add_paving(const ScenePlane& plane, const RayScene& rays, Random& random, S
 }  // namespace
 
 void add_fittings(Scene& scene, std::uint64_t seed) {
-  constexpr double kSteepest = 0.995;  // cosine; flatter roofs have neither skylights nor panels
+  constexpr double kMaxCosine = 0.995;  // cosine; flatter roofs have neither skylights nor panels
   constexpr double kSolarChance = 0.15;
   constexpr double kPavingPerM2 = 0.006;
   const Mesh bare = scene.mesh;
@@ -245,7 +245,7 @@ void add_fittings(Scene& scene, std::uint64_t seed) {
   }
   for (const ScenePlane& plane : scene.planes) {
     if (plane.outline.empty()) continue;  // other roof faces bury this one
-    if (plane.kind == PlaneKind::kRoof && plane.plane.normal().z() < kSteepest) {
+    if (plane.kind == PlaneKind::kRoof && plane.plane.normal().z() < kMaxCosine) {
       const bool solar = random.chance(kSolarChance) && add_solar_array(plane, rays, random, scene);
       if (!solar) add_skylights(plane, rays, random, scene);
     } else if (plane.kind == PlaneKind::kGround) {

@@ -40,16 +40,16 @@ Eigen::AlignedBox2d frame_window(const Scene& scene,
 
 /// Limits the memory that grey values need, the size of the files and the time.
 void check_num_pixels(const Eigen::Vector2d& size_px) {
-  constexpr double kMostPixels = 3e8;
-  check(size_px.prod() <= kMostPixels, "images of ", size_px.x(), " x ", size_px.y(),
+  constexpr double kMaxPixels = 3e8;
+  check(size_px.prod() <= kMaxPixels, "images of ", size_px.x(), " x ", size_px.y(),
         " pixels; must be of 300 megapixels at most: choose smaller frames, a smaller extent, a "
         "greater camera height or no images");
 }
 
 void check_frame_size(const Eigen::Vector2i& size_px) {
-  check(size_px.minCoeff() >= kLeastFrame_px && size_px.maxCoeff() <= kMostFrame_px,
-        "frame_px = ", size_px.x(), ",", size_px.y(), ", must be in [", kLeastFrame_px, ", ",
-        kMostFrame_px, "] each");
+  check(size_px.minCoeff() >= kMinFrameSide_px && size_px.maxCoeff() <= kMaxFrameSide_px,
+        "frame_px = ", size_px.x(), ",", size_px.y(), ", must be in [", kMinFrameSide_px, ", ",
+        kMaxFrameSide_px, "] each");
 }
 
 /// Where an image lies in the full frame, whose principal point is pixel (0, 0).
@@ -116,13 +116,13 @@ Eigen::AlignedBox2i pixels_of_mesh(const Mesh& mesh, const AerialView& view) {
 
 /// Rays near the horizon meet the ground nowhere or far beyond what a landscape can be taken to be plane for.
 void check_looks_down(const Scene& scene, const AerialView& view) {
-  constexpr double kLeastSinking = 0.1;  // height over way: ten flying heights away
+  constexpr double kMinSinking = 0.1;  // height over way: ten flying heights away
   const Eigen::Vector2d last_px = view.size_px.cast<double>() - Eigen::Vector2d::Ones();
   for (const double column : {0.0, last_px.x()}) {
     for (const double row : {0.0, last_px.y()}) {
       const Eigen::Vector3d ray = view.ray({column, row});
       const double sinking = scene.mean_terrain.gradient.dot(ray.head<2>()) - ray.z();
-      check(std::min(sinking, -ray.z()) >= kLeastSinking, "frames of ", view.size_px.x(), " x ",
+      check(std::min(sinking, -ray.z()) >= kMinSinking, "frames of ", view.size_px.x(), " x ",
             view.size_px.y(), " pixels: ", view.id,
             " looks at the horizon; choose smaller frames, a smaller tilt or a greater focal "
             "length");
@@ -198,12 +198,12 @@ std::vector<AerialView> aerial_views(const Scene& scene, const FlightOptions& op
 
 std::array<double, 2> height_range_m(const Scene& scene) {
   constexpr double kWidthM = 50.0;
-  constexpr double kLeastMarginM = 5.0;
+  constexpr double kMinMarginM = 5.0;
   Eigen::AlignedBox1d heights;
   for (const Eigen::Vector3d& x : scene.mesh.vertices) heights.extend(x.tail<1>());
   const double height = heights.isEmpty() ? 0.0 : heights.sizes().x();
   const double low = heights.isEmpty() ? 0.0 : heights.min().x();
-  const double margin_m = std::max(kLeastMarginM, 0.5 * (kWidthM - height));
+  const double margin_m = std::max(kMinMarginM, 0.5 * (kWidthM - height));
   return {std::floor(scene.frame.origin_m.z() + low - margin_m),
           std::ceil(scene.frame.origin_m.z() + low + height + margin_m)};
 }

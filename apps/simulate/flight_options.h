@@ -13,8 +13,8 @@
 namespace ridgeline::simulate {
 
 /// The sides that a whole frame may have.
-inline constexpr int kLeastFrame_px = 100;
-inline constexpr int kMostFrame_px = 30000;
+inline constexpr int kMinFrameSide_px = 100;
+inline constexpr int kMaxFrameSide_px = 30000;
 
 /// A flight over the scene; defaults: the DMC block of Ok et al. 2011, section 4 (GSD 8 cm).
 struct FlightOptions {

@@ -12,7 +12,7 @@ namespace {
 
 /// Largest vertical distance of anything in the scene to the mean terrain.
 double relief_m(const Scene& scene) {
-  double relief = kHighestOutlierM;
+  double relief = kMaxOutlierHeightM;
   for (const Eigen::Vector3d& x : scene.mesh.vertices) {
     relief = std::max(relief, std::abs(x.z() - scene.mean_terrain(x.head<2>())));
   }

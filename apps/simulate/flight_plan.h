@@ -10,7 +10,7 @@
 namespace ridgeline::simulate {
 
 /// Outliers lie up to this height above the ground.
-inline constexpr double kHighestOutlierM = 60.0;
+inline constexpr double kMaxOutlierHeightM = 60.0;
 
 /// One laser shot: from the aircraft towards a point of the mean terrain. Local metres.
 struct Pulse {

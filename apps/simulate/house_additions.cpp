@@ -94,11 +94,11 @@ bool fits(const RoofPart& annex,
           const WallFrame& wall,
           const AnnexSite& site) {
   constexpr double kBelowEaveM = 0.15;
-  constexpr double kLeastHeightM = 1.9;
+  constexpr double kMinHeightM = 1.9;
   const std::vector<PlanFunction> house_sides = half_planes(house.outline);
   for (const Eigen::Vector2d& corner : annex.outline) {
     if (corner.norm() > site.reach_m) return false;
-    if (annex.tops[0](corner) - site.ground(corner) < kLeastHeightM) return false;
+    if (annex.tops[0](corner) - site.ground(corner) < kMinHeightM) return false;
     // below the overhang of the house: at its wall and at its eave
     const Eigen::Vector2d at_wall =
         corner - (corner - wall.middle).dot(wall.outwards) * wall.outwards;
@@ -116,7 +116,7 @@ bool fits(const RoofPart& annex,
 /// A dormer that ends well below the main ridge.
 std::optional<Dormer> random_small_dormer(const HouseShape& shape, Random& random) {
   constexpr double kReach = 0.85;  // share of the way to the ridge
-  constexpr double kLeastFrontM = 0.6;
+  constexpr double kMinFrontHeightM = 0.6;
   Dormer dormer{.type = random.chance(0.5) ? DormerType::kGabled : DormerType::kShed,
                 .width_m = random.uniform(1.2, 2.5),
                 .setback_m = random.uniform(0.4, 1.2),
@@ -132,7 +132,7 @@ std::optional<Dormer> random_small_dormer(const HouseShape& shape, Random& rando
     room_m *= 1.0 - std::tan(dormer.pitch_rad) / slope;
   }
   dormer.front_height_m = std::min(dormer.front_height_m, room_m);
-  if (dormer.front_height_m < kLeastFrontM) return std::nullopt;
+  if (dormer.front_height_m < kMinFrontHeightM) return std::nullopt;
   return dormer;
 }
 

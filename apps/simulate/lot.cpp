@@ -63,8 +63,8 @@ void add_dormers(const HouseShape& shape,
 }
 
 void steepen_for_dormers(const VillageOptions& options, Random& random, HouseShape& shape) {
-  constexpr double kLowestPitchDeg = 38.0;  // below, a dormer would reach the ridge
-  const double low = std::max(options.min_pitch_deg, kLowestPitchDeg);
+  constexpr double kMinPitchDeg = 38.0;  // below, a dormer would reach the ridge
+  const double low = std::max(options.min_pitch_deg, kMinPitchDeg);
   shape.pitch_rad = kRadPerDeg * random.uniform(low, std::max(low, options.max_pitch_deg) + 1e-9);
   shape.width_m = random.uniform(8.8, 9.8);
 }
@@ -151,10 +151,10 @@ void add_additions(const VillageOptions& options,
                    const HouseShape& shape,
                    Random& clutter,
                    std::vector<RoofPart>& parts) {
-  constexpr double kShortestRidgeM = 1.5;
+  constexpr double kMinRidgeLengthM = 1.5;
   const double ridge_length_m = shape.length_m - (type == RoofType::kHipped ? shape.width_m : 0.0);
-  const bool takes_dormers =
-      (type == RoofType::kGabled || type == RoofType::kHipped) && ridge_length_m >= kShortestRidgeM;
+  const bool takes_dormers = (type == RoofType::kGabled || type == RoofType::kHipped) &&
+                             ridge_length_m >= kMinRidgeLengthM;
   const bool with_dormers = clutter.chance(options.dormer_share);
   if (with_dormers && takes_dormers) add_small_dormers(shape, ridge_length_m, clutter, parts);
   if (!clutter.chance(options.annex_share)) return;
@@ -204,11 +204,11 @@ constexpr int kRowLength = 3;
 
 /// Wall heights of adjoining houses, each with a step to its neighbour.
 std::array<double, kRowLength> row_wall_heights_m(double first_m, Random& random) {
-  constexpr double kLowestM = 2.6;
+  constexpr double kMinWallHeightM = 2.6;
   std::array<double, kRowLength> heights_m{first_m};
   for (std::size_t i = 1; i < heights_m.size(); ++i) {
     const double step_m = random.uniform(0.4, 1.1);
-    const bool down = random.chance(0.5) && heights_m[i - 1] - step_m >= kLowestM;
+    const bool down = random.chance(0.5) && heights_m[i - 1] - step_m >= kMinWallHeightM;
     heights_m[i] = heights_m[i - 1] + (down ? -step_m : step_m);
   }
   return heights_m;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kSameLineM = 0.005;  // a sixteenth of a pixel at GSD 8 cm
 constexpr double kTouchM = 0.02;
-constexpr double kShortestM = 0.02;
+constexpr double kMinEdgeLengthM = 0.02;
 
 const char* kind_of(Material material) {
   switch (material) {
@@ -102,7 +102,7 @@ void add_mesh_edges(const Scene& scene, std::vector<PhysicalEdge>& edges) {
     const bool flat = material == Material::kGround || material == Material::kStreet ||
                       material == Material::kMarking;
     if (!flat) segment = raised_to_ground(segment, ground);
-    if (length(segment) < kShortestM) continue;
+    if (length(segment) < kMinEdgeLengthM) continue;
     edges.push_back({segment, kind_of(material), 2});
   }
 }

@@ -7,9 +7,9 @@
 namespace ridgeline::simulate {
 namespace {
 
-constexpr double kRoofTouchM = 1e-7;         // bodies that only touch do not cover each other
-constexpr double kShortestRoofLineM = 0.01;  // slivers below this are no lines
-constexpr double kHorizontalM = 1e-9;        // height difference over a line
+constexpr double kRoofTouchM = 1e-7;          // bodies that only touch do not cover each other
+constexpr double kMinRoofLineLengthM = 0.01;  // slivers below this are no lines
+constexpr double kHorizontalM = 1e-9;         // height difference over a line
 
 /// Where `part` rises above `height` along the segment. This is one interval, because the outline and planes of the part are
 /// half-planes. It is empty where the two only touch.
@@ -128,7 +128,7 @@ class LineCollector {
                      .kind = kind,
                      .plane_ids = {face.plane_id},
                      .building_id = part_of(face).building_id};
-      if (length(line.segment) < kShortestRoofLineM) continue;
+      if (length(line.segment) < kMinRoofLineLengthM) continue;
       if (other != nullptr) line.plane_ids.push_back(other->plane_id);
       lines_.push_back(std::move(line));
     }

@@ -92,7 +92,7 @@ void expose_row(const cv::Mat& radiance,
   const Radiometry radiometry = radiometry_of(options, view);
   const std::vector<int> bands = file_bands(options.bands);
   const double well = options.full_well_electrons;
-  constexpr double kLargest = std::numeric_limits<Number>::max();
+  constexpr double kMaxValue = std::numeric_limits<Number>::max();
   Random random({options.seed, kNoiseStream, view, static_cast<std::uint64_t>(first_row + row)});
   const auto* in = radiance.ptr<cv::Vec4f>(row);
   auto* out = image.ptr<Number>(row);
@@ -103,7 +103,7 @@ void expose_row(const cv::Mat& radiance,
       const double variance = std::max(signal, 0.0) * well +
                               options.read_noise_electrons * options.read_noise_electrons;
       const double noisy = signal + std::sqrt(variance) / well * random.normal();
-      *out++ = static_cast<Number>(std::lround(kLargest * toned(noisy, options, radiometry)));
+      *out++ = static_cast<Number>(std::lround(kMaxValue * toned(noisy, options, radiometry)));
     }
   }
 }

@@ -31,13 +31,13 @@ std::vector<Sighting> sightings(const SurfaceOracle& oracle,
 /// Whether most of a segment lies within a pixel of another one.
 bool covered_by(const Segment2& segment, const Segment2& other) {
   constexpr double kWithinPx = 1.0;
-  constexpr double kMost = 0.7;
+  constexpr double kMinCoveredShare = 0.7;
   const int samples = 1 + static_cast<int>(length(segment));
   int covered = 0;
   for (int i = 0; i < samples; ++i) {
     covered += distance(other, point_at(segment, (i + 0.5) / samples)) < kWithinPx ? 1 : 0;
   }
-  return covered >= kMost * samples;
+  return covered >= kMinCoveredShare * samples;
 }
 
 bool covered_by(const ShownEdge& edge, const ShownEdge& other) {

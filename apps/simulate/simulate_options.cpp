@@ -8,8 +8,8 @@
 namespace ridgeline::apps {
 namespace {
 
-constexpr int kLeastTile_m = 10;
-constexpr int kMostTile_m = 1000;
+constexpr int kMinTileSide_m = 10;
+constexpr int kMaxTileSide_m = 1000;
 
 /// Sets the options to the test of Chio and Wang 2000: their flight over houses on every lot, with few trees. The plan
 /// is larger than the images.
@@ -154,7 +154,7 @@ void add_frame_options(CLI::App& app, SimulateArguments& a, const char* group) {
                  "TIFF; 7680,13824 is the DMC's. Without: images of the plan alone")
       ->delimiter(',')
       ->expected(2)
-      ->check(in_range(simulate::kLeastFrame_px, simulate::kMostFrame_px))
+      ->check(in_range(simulate::kMinFrameSide_px, simulate::kMaxFrameSide_px))
       ->excludes("--no-images")
       ->group(group);
   app.add_option_function<std::string>(
@@ -206,11 +206,11 @@ void add_block_options(CLI::App& app, SimulateArguments& a) {
          "--samples-per-side 2, --orientation opk")
       ->delimiter(',')
       ->expected(2)
-      ->check(in_range(1, simulate::kMostOfABlock))
+      ->check(in_range(1, simulate::kMaxStripsOrFrames))
       ->group(group);
   add_flags(app, a.block, group);
   app.add_option("--tile-m", a.tile_m, "side of a tile of the LIDAR, whole metres")
-      ->check(in_range(kLeastTile_m, kMostTile_m))
+      ->check(in_range(kMinTileSide_m, kMaxTileSide_m))
       ->capture_default_str()
       ->group(group);
 }

@@ -59,11 +59,11 @@ void Terrain::add_line(const Row& row,
                        const Eigen::Vector2d& start_uv,
                        const Eigen::Vector2d& end_uv,
                        LineKind kind) {
-  constexpr double kShortestM = 0.5;
+  constexpr double kMinLengthM = 0.5;
   const Segment2 segment{local(start_uv), local(end_uv)};
   Interval interval;
   for (const PlanFunction& side : extent_) interval = clip(interval, segment, side);
-  if ((interval.end - interval.begin) * length(segment) < kShortestM) return;
+  if ((interval.end - interval.begin) * length(segment) < kMinLengthM) return;
   const auto at = [&](double t) -> Eigen::Vector3d {
     return on(row.ground, (1.0 - t) * segment.start + t * segment.end);
   };

@@ -18,9 +18,10 @@ constexpr bool kClockwise = true;
 using PlanPolygon = bg::model::polygon<PlanPoint, !kClockwise>;
 using PlanPolygons = bg::model::multi_polygon<PlanPolygon>;
 
-constexpr double kSameM = 1e-6;          // vertices that are so near are one; rounding gives 1e-8
-constexpr double kShortestWallM = 1e-4;  // at a mitre, a probe beside the wall misses the neighbour
-constexpr double kSliverM2 = 1e-4;       // left between outlines that touch
+constexpr double kSameM = 1e-6;  // vertices that are so near are one; rounding gives 1e-8
+// at a mitre, a probe beside the wall misses the neighbour
+constexpr double kMinWallLengthM = 1e-4;
+constexpr double kSliverM2 = 1e-4;  // left between outlines that touch
 
 PlanPolygon plan_polygon(const ConvexPolygon& corners) {
   PlanPolygon polygon;
@@ -173,7 +174,7 @@ class FaceCollector {
     const std::vector<double> breaks = breaks_of(wall, part, hiding);
     WallProfile profile;
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-      if ((breaks[i + 1] - breaks[i]) * length(wall) < kShortestWallM) continue;
+      if ((breaks[i + 1] - breaks[i]) * length(wall) < kMinWallLengthM) continue;
       if (!extend(part, wall, hiding, {breaks[i], breaks[i + 1]}, profile)) flush(part, profile);
     }
     flush(part, profile);

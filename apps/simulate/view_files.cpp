@@ -16,12 +16,12 @@ namespace ridgeline::apps {
 std::string image_file(const std::string& view_id) { return view_id + ".tif"; }
 
 void check_degraded(const ViewOptions& options, std::span<const std::string> view_ids) {
-  constexpr std::size_t kMostNamed = 30;  // all views of a patch; a block may have thousands
+  constexpr std::size_t kMaxNamedViews = 30;  // all views of a patch; a block may have thousands
   const simulate::SensorOptions& sensor = options.sensor;
   check(options.degraded.empty() || sensor.blur_px > 0.0 || sensor.bayer || sensor.jpeg_quality > 0,
         "--degraded-views, must be with --blur-px, --bayer or --jpeg-quality");
   for (const std::string& id : options.degraded) {
-    const auto named = view_ids.first(std::min(view_ids.size(), kMostNamed));
+    const auto named = view_ids.first(std::min(view_ids.size(), kMaxNamedViews));
     check(std::ranges::find(view_ids, id) != view_ids.end(), "--degraded-views = ", id,
           ", must be one of ", fmt::format("{}", fmt::join(named, ", ")),
           named.size() < view_ids.size() ? ", ..." : "");

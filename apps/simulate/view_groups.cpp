@@ -53,18 +53,18 @@ std::vector<ViewGroup> parse_view_groups(std::string_view text) {
 }
 
 void check_view_groups(std::span<const ViewGroup> groups) {
-  constexpr int kFewest = 2;
-  constexpr int kMost = 30;
+  constexpr int kMinViews = 2;
+  constexpr int kMaxViews = 30;
   int num_views = 0;
   for (const ViewGroup& group : groups) {
-    check(group.num_views >= 1 && group.num_views <= kMost, name(group.kind), ":", group.num_views,
-          ", must have 1 to ", kMost, " views");
+    check(group.num_views >= 1 && group.num_views <= kMaxViews, name(group.kind), ":",
+          group.num_views, ", must have 1 to ", kMaxViews, " views");
     check(std::ranges::count(groups, group.kind, &ViewGroup::kind) == 1, name(group.kind),
           " is there more than once; each group must be named once");
     num_views += group.num_views;
   }
-  check(num_views >= kFewest && num_views <= kMost, "views in all = ", num_views, ", must be ",
-        kFewest, " to ", kMost);
+  check(num_views >= kMinViews && num_views <= kMaxViews, "views in all = ", num_views,
+        ", must be ", kMinViews, " to ", kMaxViews);
 }
 
 }  // namespace ridgeline::simulate

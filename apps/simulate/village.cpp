@@ -29,10 +29,10 @@ void check_share(const char* name, double value) {
 }
 
 void check_options(const VillageOptions& o) {
-  check((o.extent_m.array() >= kLeastExtent_m).all() && (o.extent_m.array() <= kMostExtent_m).all(),
-        "extent_m = ", o.extent_m.transpose(), ", must be in [", kLeastExtent_m, ", ",
-        kMostExtent_m, "] each");
-  static_assert(kLeastExtent_m >= 2.0 * kLotSizeM);
+  check((o.extent_m.array() >= kMinExtent_m).all() && (o.extent_m.array() <= kMaxExtent_m).all(),
+        "extent_m = ", o.extent_m.transpose(), ", must be in [", kMinExtent_m, ", ", kMaxExtent_m,
+        "] each");
+  static_assert(kMinExtent_m >= 2.0 * kLotSizeM);
   check(o.origin_m.array().round().isApprox(o.origin_m.array(), 0.0),
         "origin_m = ", o.origin_m.transpose(), ", must be integers");
   check_share("aligned_share", o.aligned_share);

@@ -12,8 +12,8 @@
 namespace ridgeline::simulate {
 
 /// The sides that a plan may have.
-inline constexpr double kLeastExtent_m = 40.0;
-inline constexpr double kMostExtent_m = 2000.0;
+inline constexpr double kMinExtent_m = 40.0;
+inline constexpr double kMaxExtent_m = 2000.0;
 
 /// Lots of 20 m x 20 m in rows on both sides of parallel streets.
 struct VillageOptions {

@@ -8,7 +8,7 @@ namespace ridgeline::simulate {
 namespace {
 
 constexpr double kOutwardsM = 1e-6;  // walls of neighbours coincide, so what is beside them decides
-constexpr double kShortestFootM = 0.5;
+constexpr double kMinFootLengthM = 0.5;
 constexpr double kTouchingM = 1e-6;  // bodies that only touch do not rise above each other
 
 /// One wall of a part, seen from outside.
@@ -91,7 +91,7 @@ class FootCollector {
       return {x.x(), x.y(), surface.height(x)};
     };
     const Segment3 segment{at(piece.begin), at(piece.end)};
-    if (length(segment) < kShortestFootM) return;
+    if (length(segment) < kMinFootLengthM) return;
     lines_.push_back({.segment = segment,
                       .kind = LineKind::kFoot,
                       .plane_ids = {surface.plane_id},

@@ -275,7 +275,7 @@ Comparison comparison_of(const Evaluation& a,
   result.classes = summarize_pair_classes(pairs, a.options.bootstrap);
   const double n_smaller =
       static_cast<double>(result.n_common + std::min(result.n_only_a, result.n_only_b));
-  if (static_cast<double>(result.n_common) < kLeastPaired * n_smaller) {
+  if (static_cast<double>(result.n_common) < kMinPairedShare * n_smaller) {
     for (PairedSummary& summary : result.classes) summary.wilcoxon_p.reset();
   }
   result.worst = worst_lines(pairs.lines);

@@ -15,7 +15,7 @@
 namespace ridgeline::evaluate {
 
 /// Fewer pairs are a choice of the lines, of which no test says anything.
-inline constexpr double kLeastPaired = 0.8;
+inline constexpr double kMinPairedShare = 0.8;
 
 /// One line evaluated in both A and B.
 struct PairedLine {
@@ -36,7 +36,7 @@ struct PairedSummary {
   std::optional<double> rms_gain_m;                       ///< A - B
   std::optional<Interval> rms_ratio_ci95, rms_gain_ci95;  ///< clustered bootstrap
   std::optional<double> median_gain_m;                    ///< of a_m - b_m
-  /// Of a_m - b_m; empty if the pairs of all classes are less than kLeastPaired of the smaller
+  /// Of a_m - b_m; empty if the pairs of all classes are less than kMinPairedShare of the smaller
   /// side's lines.
   std::optional<double> wilcoxon_p;
 };

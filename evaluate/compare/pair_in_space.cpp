@@ -138,8 +138,8 @@ std::vector<std::pair<std::size_t, std::size_t>> assignment(const std::vector<Ca
   }
   const auto n = static_cast<Eigen::Index>(rows.size()),
              m = static_cast<Eigen::Index>(columns.size());
-  constexpr double kMostCells = 1e6;
-  if (static_cast<double>(n) * static_cast<double>(n + m) > kMostCells) return nearest_first(group);
+  constexpr double kMaxCells = 1e6;
+  if (static_cast<double>(n) * static_cast<double>(n + m) > kMaxCells) return nearest_first(group);
   constexpr double kNever = 1e6;
   Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(n, m + n, kNever);
   costs.rightCols(n).setConstant(kMaxPairDistance_m);

@@ -69,16 +69,16 @@ void set_points(const PointDistances& points, BuildingRow& row) {
 }
 
 bool is_gone(const PointDistances& points) {
-  constexpr double kMostBelow = 0.75;
+  constexpr double kMaxShareBelow = 0.75;
   constexpr double kStorey_m = 1.5;  // what is higher above the ground is no ground
   const bool is_low = !points.above_ground_m || *points.above_ground_m < kStorey_m;
-  return is_low && points.n_far_below > kMostBelow * points.n_over;
+  return is_low && points.n_far_below > kMaxShareBelow * points.n_over;
 }
 
 /// The verdict on a building's faces one by one.
 BuildingVerdict verdict_of_parts(const BuildingRow& row, const FaceOptions& options) {
-  constexpr double kLeastJudged = 0.5;  // of the area
-  if (!row.unexplained || row.judged_area_m2 < kLeastJudged * row.area_m2) {
+  constexpr double kMinJudgedShare = 0.5;  // of the area
+  if (!row.unexplained || row.judged_area_m2 < kMinJudgedShare * row.area_m2) {
     return BuildingVerdict::kNotJudged;
   }
   if (*row.unexplained > options.max_unexplained) return BuildingVerdict::kChanged;

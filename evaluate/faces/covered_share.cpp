@@ -65,9 +65,9 @@ double covered_share(const PlanPolygon& polygon,
                      std::span<const Eigen::Vector2d> points,
                      double radius_m) {
   check(radius_m > 0.0, "covered_share: radius_m = ", radius_m, ", must be positive");
-  constexpr double kMostPlaces = 1e5;
+  constexpr double kMaxPlaces = 1e5;
   if (points.empty() || polygon.edges().empty()) return 0.0;
-  const double coarsest_m = std::sqrt(polygon.box().sizes().prod() / kMostPlaces);
+  const double coarsest_m = std::sqrt(polygon.box().sizes().prod() / kMaxPlaces);
   Places places(polygon.box(), std::max(0.5 * radius_m, coarsest_m));
   for (const Eigen::Vector2d& x : points) places.cover(x, radius_m);
   return places.covered_share_in(polygon);

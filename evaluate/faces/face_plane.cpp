@@ -14,7 +14,7 @@ namespace ridgeline::evaluate {
 namespace {
 
 /// The consensus looks at this many points at most; the fit takes all of them.
-constexpr std::size_t kMostSearched = 2000;
+constexpr std::size_t kMaxSearchedPoints = 2000;
 
 /// The points that a plane like the face's own can hold.
 std::vector<ZonePoint> candidates(std::span<const FacePoint> points,
@@ -41,10 +41,10 @@ std::vector<ZonePoint> candidates(std::span<const FacePoint> points,
 }
 
 std::vector<ZonePoint> thinned(const std::vector<ZonePoint>& points) {
-  if (points.size() <= kMostSearched) return points;
+  if (points.size() <= kMaxSearchedPoints) return points;
   std::vector<ZonePoint> kept;
-  for (std::size_t i = 0; i < kMostSearched; ++i) {
-    kept.push_back(points[i * points.size() / kMostSearched]);
+  for (std::size_t i = 0; i < kMaxSearchedPoints; ++i) {
+    kept.push_back(points[i * points.size() / kMaxSearchedPoints]);
   }
   return kept;
 }
@@ -70,11 +70,11 @@ std::vector<Eigen::Vector3d> inliers_of(const std::vector<ZonePoint>& points,
 std::optional<PlaneFit> settled_fit(const std::vector<ZonePoint>& points,
                                     const Plane3& start,
                                     const FaceOptions& options) {
-  constexpr int kMostPasses = 20;  // 3 to 6 as a rule; two sets may take turns
+  constexpr int kMaxPasses = 20;  // 3 to 6 as a rule; two sets may take turns
   const double limit_m = options.judge.inlier_distance_m;
   std::vector<Eigen::Vector3d> inliers = inliers_of(points, start, limit_m);
   std::optional<PlaneFit> fit;
-  for (int pass = 0; pass < kMostPasses; ++pass) {
+  for (int pass = 0; pass < kMaxPasses; ++pass) {
     fit = fit_plane(inliers);
     if (!fit || fit->n < options.judge.min_points) return std::nullopt;
     std::vector<Eigen::Vector3d> next = inliers_of(points, fit->plane, limit_m);

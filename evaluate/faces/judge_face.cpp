@@ -67,7 +67,7 @@ void set_areas(std::span<const FacePoint> points,
              return other.face->plan.contains(x);
            });
   };
-  const double deepest_m = 2.0 * options.reach_m / kMostSlanted;  // neighbours are known so far
+  const double deepest_m = 2.0 * options.reach_m / kMaxRayTangent;  // neighbours are known so far
   const auto is_below_edge = [&](const FacePoint& p) {
     const auto edge = std::ranges::find(evaluation.edges, p.edge, &EdgeOffset::edge);
     if (edge != evaluation.edges.end() && edge->offset_m > 0.0 && is_off(*edge, options))

@@ -9,7 +9,7 @@
 namespace ridgeline::evaluate {
 
 /// Tangent of the largest angle of a laser's ray to the vertical, 31 degrees: airborne scanners look up to 30 to each side.
-inline constexpr double kMostSlanted = 0.6;
+inline constexpr double kMaxRayTangent = 0.6;
 
 /// Whether a slanting ray that passes by a roof may have met this place under it: a wall, or the ground under an overhang.
 /// @param x        in plan
@@ -22,7 +22,7 @@ bool is_under_overhang(const Eigen::Vector2d& x, double below_m, const IsOver& i
   for (int i = 0; i < kDirections; ++i) {
     const double angle_rad = 2.0 * std::numbers::pi * i / kDirections;
     const Eigen::Vector2d towards(std::cos(angle_rad), std::sin(angle_rad));
-    if (!is_over(Eigen::Vector2d(x + kMostSlanted * below_m * towards))) return true;
+    if (!is_over(Eigen::Vector2d(x + kMaxRayTangent * below_m * towards))) return true;
   }
   return false;
 }

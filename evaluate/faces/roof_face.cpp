@@ -12,9 +12,9 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kFarthest_m = 1e7;  // as in_range() of lines
-constexpr double kLongest_m = 1e4;   // a fault of the file, not a roof
-constexpr double kSmallest_m2 = 1e-6;
+constexpr double kMaxFaceCoordinate_m = 1e7;  // as in_range() of lines
+constexpr double kMaxFaceExtent_m = 1e4;      // a fault of the file, not a roof
+constexpr double kMinArea_m2 = 1e-6;
 
 bool is_fit(const std::vector<Ring>& rings) {
   if (rings.empty()) return false;
@@ -22,11 +22,11 @@ bool is_fit(const std::vector<Ring>& rings) {
   for (const Ring& ring : rings) {
     if (ring.size() < 3) return false;
     for (const Eigen::Vector3d& x : ring) {
-      if (!x.allFinite() || x.cwiseAbs().maxCoeff() > kFarthest_m) return false;
+      if (!x.allFinite() || x.cwiseAbs().maxCoeff() > kMaxFaceCoordinate_m) return false;
       box.extend(x);
     }
   }
-  return box.sizes().maxCoeff() <= kLongest_m;
+  return box.sizes().maxCoeff() <= kMaxFaceExtent_m;
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ RoofFace make_roof_face(std::string id, std::vector<Ring> rings) {
   for (std::size_t i = 1; i < face.rings.size(); ++i) {
     face.area_m2 -= area_vector(face.rings[i]).norm();
   }
-  if (!(face.area_m2 > kSmallest_m2)) {
+  if (!(face.area_m2 > kMinArea_m2)) {
     face.area_m2 = 0.0;
     return face;
   }

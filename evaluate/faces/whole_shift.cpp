@@ -39,11 +39,11 @@ class Adjustment {
   }
 
   [[nodiscard]] std::optional<Eigen::Vector3d> solution() const {
-    constexpr double kLargestSigma_m = 0.2;  // of a component
+    constexpr double kMaxSigma_m = 0.2;  // of a component
     const Eigen::LDLT<Eigen::Matrix3d> factors(normal_);
     if (factors.info() != Eigen::Success || !(factors.rcond() > 1e-12)) return std::nullopt;
     const Eigen::Matrix3d covariance = factors.solve(Eigen::Matrix3d::Identity());
-    if (covariance.diagonal().maxCoeff() > kLargestSigma_m * kLargestSigma_m) return std::nullopt;
+    if (covariance.diagonal().maxCoeff() > kMaxSigma_m * kMaxSigma_m) return std::nullopt;
     return factors.solve(right_);
   }
 

@@ -223,16 +223,16 @@ GateResult apply_baseline(const Gate& gate,
                           const ResultFolder* baseline,
                           std::optional<double> allowance,
                           Bound bound) {
-  constexpr double kLeastIncrease_m = 0.002;
+  constexpr double kMinIncrease_m = 0.002;
   constexpr double kIncreaseShare = 0.05;
   const Figure base = baseline_figure(gate, figure, baseline);
   const double a = allowance.value_or(
-      std::max(kLeastIncrease_m, kIncreaseShare * std::abs(base.value.value_or(0.0))));
+      std::max(kMinIncrease_m, kIncreaseShare * std::abs(base.value.value_or(0.0))));
   const bool upper = bound == Bound::kUpper;
   // the name of a check must be the same with every baseline
   const std::string allowed =
       allowance ? fmt::format("{:.4g}", a)
-                : fmt::format("max({}, {:.0f} %)", kLeastIncrease_m, 100.0 * kIncreaseShare);
+                : fmt::format("max({}, {:.0f} %)", kMinIncrease_m, 100.0 * kIncreaseShare);
   GateResult result = begin_result(
       gate, figure,
       fmt::format("{} baseline {} {}", upper ? "<=" : ">=", upper ? '+' : '-', allowed));
@@ -278,9 +278,9 @@ void validate(const Gate& gate) {
         " is a figure of matching, which has no classes, so class must be left out");
   check(!gate.n_images || !of_matching, "n_images: ", gate.n_images.value_or(0), "; ", gate.metric,
         " is a figure of the matches of two images, so n_images must be left out");
-  check(!gate.n_images || (*gate.n_images >= kFewestImages && *gate.n_images <= kMostImages),
-        "n_images: ", gate.n_images.value_or(0), "; must be ", kFewestImages, " to ", kMostImages,
-        "; ", kMostImages, " means ", kMostImages, " and more");
+  check(!gate.n_images || (*gate.n_images >= kMinImages && *gate.n_images <= kMaxImages),
+        "n_images: ", gate.n_images.value_or(0), "; must be ", kMinImages, " to ", kMaxImages, "; ",
+        kMaxImages, " means ", kMaxImages, " and more");
   check(!gate.decided_by || !(of_matching || is_track_metric(gate.metric)),
         "decided_by: ", gate.metric,
         " is no figure of judged lines, so decided_by must be left out");

@@ -16,11 +16,12 @@ Eigen::Vector2d direction_of(const Segment2& segment) {
 }  // namespace
 
 BallCover::Steps BallCover::Steps::over(double from_m, double to_m, double longest_m) {
-  constexpr double kMost = 256.0;  // a bird a kilometre up must not make thousands of empty balls
+  // a bird a kilometre up must not make thousands of empty balls
+  constexpr double kMaxSteps = 256.0;
   if (to_m < from_m) return {};
   if (!(longest_m > 0.0)) return {from_m, to_m - from_m, 1};
   const int count =
-      static_cast<int>(std::clamp(std::ceil((to_m - from_m) / longest_m), 1.0, kMost));
+      static_cast<int>(std::clamp(std::ceil((to_m - from_m) / longest_m), 1.0, kMaxSteps));
   return {from_m, (to_m - from_m) / count, count};
 }
 

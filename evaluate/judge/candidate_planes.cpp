@@ -60,14 +60,15 @@ CandidatePlane extend(const FoundPlane& found,
 bool lets_laser_through(const FoundPlane& plane,
                         std::span<const ZonePoint> zone,
                         const JudgeOptions& options) {
-  constexpr double kMostBelow = 0.5;  // the hull of an L-shaped roof takes in some ground
+  constexpr double kMaxShareBelow = 0.5;  // the hull of an L-shaped roof takes in some ground
   const PlanHull hull(plane.inliers);
   const auto below = std::count_if(zone.begin(), zone.end(), [&](const ZonePoint& p) {
     return plane.fit.plane.signedDistance(p.x) < -options.inlier_distance_m &&
            hull.contains({p.s, p.t});
   });
   return static_cast<double>(below) >
-         kMostBelow * static_cast<double>(static_cast<std::size_t>(below) + plane.inliers.size());
+         kMaxShareBelow *
+             static_cast<double>(static_cast<std::size_t>(below) + plane.inliers.size());
 }
 
 /// Two candidates are one plane if they share half of the smaller one's points.
@@ -160,9 +161,9 @@ void unite(CandidatePlane plane, std::vector<CandidatePlane>& candidates) {
 
 /// Whether the plane is too narrow for its tilt to be known. search_ledge() takes such a strip as level across.
 bool is_strip(const FoundPlane& plane) {
-  constexpr double kNarrowest_m = 0.6;
+  constexpr double kMinWidth_m = 0.6;
   // a uniform distribution of this width has the variance width^2 / 12
-  return 12.0 * plane.fit.spread_m2.y() / plane.fit.n < kNarrowest_m * kNarrowest_m;
+  return 12.0 * plane.fit.spread_m2.y() / plane.fit.n < kMinWidth_m * kMinWidth_m;
 }
 
 /// The points of the whole corridor that no candidate explains: a dormer may have too few points on
@@ -187,12 +188,12 @@ std::vector<CandidatePlane> candidate_planes(std::span<const ZonePoint> zone,
                                              const Footprint& footprint,
                                              const JudgeOptions& options,
                                              const PointNormals& normals) {
-  constexpr double kSmallestCell_m = 0.7;
-  constexpr double kLargestSpacing_m = 2.0;
+  constexpr double kMinCellSize_m = 0.7;
+  constexpr double kMaxSpacing_m = 2.0;
   const double area_m2 =
       2.0 * options.fit_half_width_m * (footprint.length_m + 2.0 * options.fit_half_width_m);
-  const double spacing_m = std::min(kLargestSpacing_m, point_spacing_m(zone.size(), area_m2));
-  const ZoneCells cells(zone, std::max(kSmallestCell_m, 1.5 * spacing_m));
+  const double spacing_m = std::min(kMaxSpacing_m, point_spacing_m(zone.size(), area_m2));
+  const ZoneCells cells(zone, std::max(kMinCellSize_m, 1.5 * spacing_m));
 
   std::vector<CandidatePlane> candidates;
   const auto add = [&](const std::vector<FoundPlane>& planes) {

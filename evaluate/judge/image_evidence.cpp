@@ -38,11 +38,11 @@ Ray ray_of(const ImageEvidence& images, const Eigen::Vector2d& x_px) {
 double search_radius_m(const PointSearch& search, const Eigen::Vector2d& x) {
   constexpr double kAround_m = 4.0;
   constexpr double kPointsWanted = 2.5;
-  constexpr double kSmallest_m = 0.3;
-  constexpr double kLargest_m = 1.0;
+  constexpr double kMinRadius_m = 0.3;
+  constexpr double kMaxRadius_m = 1.0;
   const auto n = static_cast<double>(search.count_within(x, kAround_m));
-  return std::clamp(kAround_m * std::sqrt(kPointsWanted / std::max(n, 1.0)), kSmallest_m,
-                    kLargest_m);
+  return std::clamp(kAround_m * std::sqrt(kPointsWanted / std::max(n, 1.0)), kMinRadius_m,
+                    kMaxRadius_m);
 }
 
 /// Height of the surface at a share `s` of the segment.
@@ -121,12 +121,13 @@ HeightLine regression(const std::vector<Sample>& samples) {
 
 /// The samples that agree with a line through two of them, for the line that most agree with.
 std::vector<Sample> consensus(const std::vector<Sample>& samples) {
-  constexpr double kShortest = 0.25;  // of the segment: closer samples say nothing of its slope
+  // of the segment: closer samples say nothing of its slope
+  constexpr double kMinSeparation = 0.25;
   std::vector<Sample> best;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     for (std::size_t k = i + 1; k < samples.size(); ++k) {
       const double ds = samples[k].s - samples[i].s;
-      if (ds < kShortest) continue;
+      if (ds < kMinSeparation) continue;
       const double slope = (samples[k].z_m - samples[i].z_m) / ds;
       std::vector<Sample> kept = agreeing(samples, {samples[i].z_m - slope * samples[i].s, slope});
       if (kept.size() > best.size()) best = std::move(kept);
@@ -151,13 +152,13 @@ double chi_square_from(const ImageEvidence& images,
                        std::size_t first,
                        const Segment3& x,
                        double sigma_px) {
-  constexpr double kMost = 25.0;
+  constexpr double kMaxChiSquare = 25.0;
   double sum = 0.0;
   for (std::size_t i = first; i < images.sightings.size(); ++i) {
     const ImageSighting& sighting = images.sightings[i];
     if (sighting.image_from_local == images.sightings[0].image_from_local) continue;
     const double chi_square = across_px2(sighting, x) / (sigma_px * sigma_px);
-    sum += chi_square < kMost ? chi_square : kMost;  // also for NaN
+    sum += chi_square < kMaxChiSquare ? chi_square : kMaxChiSquare;  // also for NaN
   }
   return sum;
 }
@@ -166,14 +167,14 @@ double chi_square_from(const ImageEvidence& images,
 
 std::optional<Segment3> monoplot(const PointSearch& search, const ImageEvidence& images) {
   constexpr double kSpacing_m = 0.25;
-  constexpr double kLeastShare = 0.5;  // of the samples on the line found
+  constexpr double kMinShare = 0.5;  // of the samples on the line found
   const Segment3 midway =
       at_height(images, 0.5 * (images.height_range_m[0] + images.height_range_m[1]));
   if (!all_finite(midway)) return std::nullopt;
   const int n_samples = std::clamp(static_cast<int>(length(midway) / kSpacing_m), 4, 40);
   const double radius_m = search_radius_m(search, midpoint(plan(midway)));
   const std::vector<Sample> inliers = consensus(first_hits(search, images, n_samples, radius_m));
-  if (static_cast<double>(inliers.size()) < kLeastShare * n_samples) return std::nullopt;
+  if (static_cast<double>(inliers.size()) < kMinShare * n_samples) return std::nullopt;
   const HeightLine line = regression(inliers);
   const Segment2& base = images.sightings[0].px;
   const Segment3 seen{at_height(images, base.start, line.at(0.0)),
@@ -183,14 +184,14 @@ std::optional<Segment3> monoplot(const PointSearch& search, const ImageEvidence&
 }
 
 bool has_independent_sighting(const ImageEvidence& images) {
-  constexpr double kLeast_rad = 10.0 * kRadPerDeg;
+  constexpr double kMinAngle_rad = 10.0 * kRadPerDeg;
   const auto centre = [&](std::size_t i) -> Eigen::Vector3d {
     return projection_centre(images.sightings[i].image_from_local).hnormalized();
   };
   const Eigen::Vector3d base = centre(1) - centre(0);
   for (std::size_t i = 2; i < images.sightings.size(); ++i) {
     const Eigen::Vector3d to_other = centre(i) - centre(0);
-    if (to_other.norm() > 0.0 && acute_angle_rad(base, to_other) >= kLeast_rad) return true;
+    if (to_other.norm() > 0.0 && acute_angle_rad(base, to_other) >= kMinAngle_rad) return true;
   }
   return false;
 }
@@ -216,13 +217,13 @@ double sightings_chi_square(const ImageEvidence& images, double sigma_px) {
 }
 
 std::vector<Segment2> plan_sweep(const ImageEvidence& images, double spacing_m) {
-  constexpr int kMostSteps = 1000;  // a ray near the horizon would need more
+  constexpr int kMaxSteps = 1000;  // a ray near the horizon would need more
   const auto [low, high] = images.height_range_m;
   const Segment3 on_ground = at_height(images, low);
   const Segment2 first = plan(on_ground);
   const Segment2 last = plan(at_height(images, high));
   const double way_m = std::max((last.start - first.start).norm(), (last.end - first.end).norm());
-  if (!in_range(on_ground) || !(way_m < kMostSteps * spacing_m)) return {};
+  if (!in_range(on_ground) || !(way_m < kMaxSteps * spacing_m)) return {};
   const int steps = std::max(1, static_cast<int>(std::ceil(way_m / spacing_m)));
   std::vector<Segment2> sweep;
   for (int i = 0; i <= steps; ++i) {

@@ -47,7 +47,7 @@ double height_off_m(std::span<const ZonePoint> zone, const Segment3& segment) {
 }
 
 bool marks_missing_height(double height_off_m, const Segment3& segment) {
-  return segment.start.z() == segment.end.z() && std::abs(height_off_m) > kFarthestHeight_m;
+  return segment.start.z() == segment.end.z() && std::abs(height_off_m) > kMaxHeightOffset_m;
 }
 
 JudgingPlane judging_plane(const CandidatePlane& candidate,

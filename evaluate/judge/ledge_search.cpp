@@ -8,12 +8,12 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kReach_m = 0.75;  // from the line to the strip's points, in plan
-constexpr double kLowest_m = 0.2;  // above the neighbouring surface
-constexpr double kHighest_m = 1.5;
-constexpr int kFewest = 8;         // a parapet of 0.3 m x 6 m at 5 points/m2
-constexpr double kSteepest = 0.2;  // slope along the line
-constexpr double kWidest_m = 0.8;  // across; a bonnet is wider
+constexpr double kReach_m = 0.75;     // from the line to the strip's points, in plan
+constexpr double kMinHeight_m = 0.2;  // above the neighbouring surface
+constexpr double kMaxHeight_m = 1.5;
+constexpr int kMinLedgePoints = 8;      // a parapet of 0.3 m x 6 m at 5 points/m2
+constexpr double kMaxLedgeSlope = 0.2;  // slope along the line
+constexpr double kMaxWidth_m = 0.8;     // across; a bonnet is wider
 
 /// Heights along the line: z = height + slope s.
 struct Profile {
@@ -31,7 +31,7 @@ std::vector<ZonePoint> unexplained_above(std::span<const ZonePoint> zone,
     for (const CandidatePlane& plane : candidates) {
       above_m = std::min(above_m, p.x.z() - height_at(plane.fit.plane, p.x.head<2>()));
     }
-    if (above_m >= kLowest_m && above_m <= kHighest_m) points.push_back(p);
+    if (above_m >= kMinHeight_m && above_m <= kMaxHeight_m) points.push_back(p);
   }
   return points;
 }
@@ -49,9 +49,9 @@ std::vector<ZonePoint> on_profile(const std::vector<ZonePoint>& points,
 /// The points near the profile through two points that has most points near it. At most some thousand
 /// pairs are tried, in a fixed order, so that the result depends on nothing but the points.
 std::vector<ZonePoint> best_profile(const std::vector<ZonePoint>& points, double distance_m) {
-  constexpr std::size_t kMostPairs = 2000;
+  constexpr std::size_t kMaxPairs = 2000;
   const std::size_t n = points.size();
-  const std::size_t stride = 1 + n * (n - 1) / 2 / kMostPairs;
+  const std::size_t stride = 1 + n * (n - 1) / 2 / kMaxPairs;
   std::vector<ZonePoint> best;
   std::size_t pair = 0;
   for (std::size_t a = 0; a < n; ++a) {
@@ -59,7 +59,7 @@ std::vector<ZonePoint> best_profile(const std::vector<ZonePoint>& points, double
       const double along = points[b].s - points[a].s;
       if (pair++ % stride != 0 || std::abs(along) < 1.0) continue;
       const double slope = (points[b].x.z() - points[a].x.z()) / along;
-      if (std::abs(slope) > kSteepest) continue;
+      if (std::abs(slope) > kMaxLedgeSlope) continue;
       const Profile profile{points[a].x.z() - slope * points[a].s, slope};
       std::vector<ZonePoint> near = on_profile(points, profile, distance_m);
       if (near.size() > best.size()) best = std::move(near);
@@ -77,8 +77,8 @@ double width_in(std::span<const ZonePoint> zone,
   double lowest = HUGE_VAL;
   double highest = -HUGE_VAL;
   for (const ZonePoint& p : zone) {
-    if (std::abs(p.t) > options.corridor_half_width_m || p.s < kWidest_m ||
-        p.s > length_m - kWidest_m || fit.plane.absDistance(p.x) > options.inlier_distance_m) {
+    if (std::abs(p.t) > options.corridor_half_width_m || p.s < kMaxWidth_m ||
+        p.s > length_m - kMaxWidth_m || fit.plane.absDistance(p.x) > options.inlier_distance_m) {
       continue;
     }
     lowest = std::min(lowest, p.t);
@@ -127,15 +127,15 @@ std::optional<CandidatePlane> search_ledge(std::span<const ZonePoint> zone,
                                            std::span<const CandidatePlane> candidates,
                                            const Footprint& footprint,
                                            const JudgeOptions& options) {
-  constexpr std::size_t kMost = 400;  // points of a strip; more are a hedge or a canopy
+  constexpr std::size_t kMaxPoints = 400;  // points of a strip; more are a hedge or a canopy
   if (candidates.empty()) return std::nullopt;
   const std::vector<ZonePoint> points = unexplained_above(zone, candidates, footprint);
-  if (points.size() < kFewest || points.size() > kMost) return std::nullopt;
+  if (points.size() < kMinLedgePoints || points.size() > kMaxPoints) return std::nullopt;
   const std::vector<ZonePoint> strip = best_profile(points, options.inlier_distance_m);
   // a hedge scatters in height: most of what stands there must be the ledge
-  if (strip.size() < kFewest || 2 * strip.size() < points.size()) return std::nullopt;
+  if (strip.size() < kMinLedgePoints || 2 * strip.size() < points.size()) return std::nullopt;
   const PlaneFit fit = level_across(strip, footprint);
-  if (width_in(zone, fit, options, footprint.length_m) > kWidest_m) return std::nullopt;
+  if (width_in(zone, fit, options, footprint.length_m) > kMaxWidth_m) return std::nullopt;
   return CandidatePlane{.fit = fit, .inliers = strip, .beside = {}};
 }
 

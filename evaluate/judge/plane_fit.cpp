@@ -15,9 +15,9 @@ double PlaneFit::sigma_at(const Eigen::Vector3d& x) const {
 }
 
 std::optional<PlaneFit> fit_plane(std::span<const Eigen::Vector3d> points) {
-  constexpr std::size_t kFewest = 4;   // 3 unknowns and one residual
-  constexpr double kCollinear = 1e-6;  // spread across / along, squared: 1 mm on 1 m
-  if (points.size() < kFewest) return std::nullopt;
+  constexpr std::size_t kMinPoints = 4;  // 3 unknowns and one residual
+  constexpr double kCollinear = 1e-6;    // spread across / along, squared: 1 mm on 1 m
+  if (points.size() < kMinPoints) return std::nullopt;
 
   const auto n = static_cast<double>(points.size());
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();

@@ -160,11 +160,11 @@ std::vector<FoundPlane> search_planes(std::span<const ZonePoint> side,
                                       const JudgeOptions& options,
                                       const PointNormals& normals) {
   const QuietPcl quiet;
-  constexpr std::size_t kMostPlanes = 6;  // two roofs, a dormer, ground and two walls
+  constexpr std::size_t kMaxPlanes = 6;  // two roofs, a dormer, ground and two walls
   const double steepest_rad = options.max_slope_deg * std::numbers::pi / 180.0;
   std::vector<ZonePoint> rest(side.begin(), side.end());
   std::vector<FoundPlane> planes;
-  for (std::size_t trial = 0; trial < kMostPlanes; ++trial) {
+  for (std::size_t trial = 0; trial < kMaxPlanes; ++trial) {
     if (rest.size() < static_cast<std::size_t>(options.min_points)) break;
     const std::optional<Plane3> start = consensus_plane(rest, options, normals);
     if (!start) break;

@@ -56,12 +56,12 @@ double extrapolation_beyond(std::span<const ZonePoint> points, const Footprint& 
 }
 
 void trim(CandidatePlane& plane, double inlier_distance_m) {
-  constexpr int kMostPasses = 20;
-  constexpr double kFinest_m = 1e-6;            // below the resolution of any cloud
+  constexpr int kMaxPasses = 20;
+  constexpr double kMinDistance_m = 1e-6;       // below the resolution of any cloud
   constexpr double kThreeSigma = 3.0 * 1.4826;  // of a median of absolute normal residuals
-  for (int pass = 0; pass < kMostPasses; ++pass) {
+  for (int pass = 0; pass < kMaxPasses; ++pass) {
     const double limit_m = std::clamp(kThreeSigma * median_distance(plane.inliers, plane.fit.plane),
-                                      kFinest_m, inlier_distance_m);
+                                      kMinDistance_m, inlier_distance_m);
     std::vector<ZonePoint> kept;
     for (const ZonePoint& p : plane.inliers) {
       if (plane.fit.plane.absDistance(p.x) <= limit_m) kept.push_back(p);
@@ -92,8 +92,8 @@ std::optional<std::string> reason_too_little_known(std::span<const CandidatePlan
                                                    const Footprint& footprint,
                                                    const JudgeOptions& options) {
   // a plane must be known as well as by this many laser points on the line; three make a plane
-  constexpr double kFewestPoints = 3.0;
-  const double known_to_m = options.lidar_sigma_m / std::sqrt(kFewestPoints);
+  constexpr double kMinPoints = 3.0;
+  const double known_to_m = options.lidar_sigma_m / std::sqrt(kMinPoints);
   const Eigen::Vector2d middle = footprint.middle();
   for (const std::size_t i : chosen) {
     const PlaneFit& fit = candidates[i].fit;

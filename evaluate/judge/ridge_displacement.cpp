@@ -23,7 +23,7 @@ std::optional<RidgeDisplacement> ridge_displacement(const Segment3& segment,
   const double angle_deg =
       acute_angle_rad(Eigen::Vector3d(planes[0].normal()), Eigen::Vector3d(planes[1].normal())) *
       180.0 / std::numbers::pi;
-  if (!(along.norm() > 0.0) || angle_deg < kLeastRidgeAngle_deg) return std::nullopt;
+  if (!(along.norm() > 0.0) || angle_deg < kMinRidgeAngle_deg) return std::nullopt;
   const Eigen::Vector3d h = across_in_plan(segment);
   const Eigen::Vector3d x = midpoint(segment);
   Eigen::Matrix2d n;

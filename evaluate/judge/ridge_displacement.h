@@ -10,7 +10,7 @@ namespace ridgeline::evaluate {
 
 /// Two planes at a smaller angle than this determine the horizontal part of a displacement too badly: its sigma is
 /// about that of the planes over the sine of half the angle.
-inline constexpr double kLeastRidgeAngle_deg = 20.0;
+inline constexpr double kMinRidgeAngle_deg = 20.0;
 
 /// The horizontal unit vector across a line, to the side of larger x, else of larger y. A vertical line has none: it is zero.
 Eigen::Vector3d across_in_plan(const Segment3& segment);
@@ -21,7 +21,7 @@ Eigen::Vector3d across_in_plan(const Segment3& segment);
 /// planes. The accuracy of the line's own ends plays no part.
 /// h points to the side of larger x (of larger y for a line along x), whichever end the line begins with.
 /// A movement along the line cannot be seen: on a hip b is the difference of heights at the same place in plan.
-/// Nothing if the planes meet at less than kLeastRidgeAngle_deg, or the line is vertical.
+/// Nothing if the planes meet at less than kMinRidgeAngle_deg, or the line is vertical.
 std::optional<RidgeDisplacement> ridge_displacement(const Segment3& segment,
                                                     const std::array<Plane3, 2>& planes,
                                                     const std::array<double, 2>& sigmas_m);

@@ -32,12 +32,12 @@ double place_chi_square(const SurfaceHypothesis& h,
 /// Densities of the distance of a line from its surface, in units of that of a right line that lies on a plane.
 struct PlaceDensities {
   double wrong;   ///< of a wrong line, which may be anywhere
-  double object;  ///< of the edge of an object, which lies within kFarthestObject_m of a plane
+  double object;  ///< of the edge of an object, which lies within kMaxObjectDistance_m of a plane
 };
 
 PlaceDensities place_densities(const JudgeOptions& options) {
   const double width_m = options.place_sigma_m * std::sqrt(2.0 * std::numbers::pi);
-  return {kWrongDensityPerMetre * width_m, width_m / (2.0 * kFarthestObject_m)};
+  return {kWrongDensityPerMetre * width_m, width_m / (2.0 * kMaxObjectDistance_m)};
 }
 
 double log_place(const SurfaceHypothesis& h,
@@ -56,7 +56,7 @@ double log_place_of_object(std::span<const SurfaceHypothesis> hypotheses,
   const auto is_near = [&](const SurfaceHypothesis& h) {
     return h.has_points || std::ranges::any_of(h.planes, [&](std::size_t i) {
              const double mean_m = orthogonal_distance(segment, candidates[i].fit.plane).mean;
-             return std::abs(mean_m) < kFarthestObject_m;
+             return std::abs(mean_m) < kMaxObjectDistance_m;
            });
   };
   const PlaceDensities densities = place_densities(options);

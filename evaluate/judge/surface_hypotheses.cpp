@@ -143,11 +143,11 @@ double standing_share(const PointsBeside& beside,
                       const Plane3& plane,
                       double within_m,
                       std::size_t of) {
-  constexpr double kLeastAbove_m = 0.2;  // a nearer point may belong to the surface
-  constexpr double kMostAbove_m = 2.0;   // points farther up, of canopies, hide no edge
+  constexpr double kMinHeightAbove_m = 0.2;  // a nearer point may belong to the surface
+  constexpr double kMaxHeightAbove_m = 2.0;  // points farther up, of canopies, hide no edge
   const auto n = std::ranges::count_if(beside.unexplained, [&](const ZonePoint& p) {
     const double above_m = plane.signedDistance(p.x);
-    return std::abs(p.t) <= within_m && above_m > kLeastAbove_m && above_m < kMostAbove_m;
+    return std::abs(p.t) <= within_m && above_m > kMinHeightAbove_m && above_m < kMaxHeightAbove_m;
   });
   return of == 0 ? 0.0 : static_cast<double>(n) / static_cast<double>(of);
 }

@@ -75,8 +75,8 @@ std::optional<Interval> difference_interval(const std::vector<PlacePair>& pairs,
 }  // namespace
 
 bool CloudFollowing::is_known() const {
-  constexpr std::size_t kFewestPairs = 30;
-  return n_pairs >= kFewestPairs && n_clusters >= kMinClusters && ci95.has_value();
+  constexpr std::size_t kMinPairs = 30;
+  return n_pairs >= kMinPairs && n_clusters >= kMinClusters && ci95.has_value();
 }
 
 bool CloudFollowing::is_of_another_place() const {

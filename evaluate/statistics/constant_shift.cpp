@@ -19,7 +19,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kMostUntold =
+constexpr double kMaxUndeterminedPart =
     0.1;  // part of a told axis that lies in directions that are not told
 constexpr double kNormal95 = 1.959964;  // two-sided 95 % quantile of the normal distribution
 
@@ -51,7 +51,8 @@ struct Basis {
 /// tilted ones, a shift of 45 m in height would be a shift of metres in plan.
 Basis levelled(Basis basis) {
   const Eigen::Index n_untold = basis.untold.cols();
-  if (n_untold == 0 || n_untold == 3 || basis.untold.row(2).norm() > kMostUntold) return basis;
+  if (n_untold == 0 || n_untold == 3 || basis.untold.row(2).norm() > kMaxUndeterminedPart)
+    return basis;
   const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
   const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
@@ -68,12 +69,12 @@ Basis levelled(Basis basis) {
 
 Basis basis_of(const std::vector<Equation>& rows) {
   constexpr double kNormalError_rad = std::numbers::pi / 180.0;
-  constexpr double kLargestPull = 0.1;  // of the estimate to 0, by errors of the normals
+  constexpr double kMaxPull = 0.1;  // of the estimate to 0, by errors of the normals
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (const Equation& row : rows) scatter += row.normal * row.normal.transpose();
   scatter /= static_cast<double>(rows.size());
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
-  const double least = kNormalError_rad * kNormalError_rad / kLargestPull;
+  const double least = kNormalError_rad * kNormalError_rad / kMaxPull;
   const Eigen::Index n_untold = (solver.eigenvalues().array() < least).count();
   return levelled(
       {solver.eigenvectors().rightCols(3 - n_untold), solver.eigenvectors().leftCols(n_untold)});
@@ -153,18 +154,18 @@ class Fit {
 
   /// NMAD of the residuals about 0. It is no smaller than what the millimetres of a file tell apart.
   [[nodiscard]] double scale_m() const {
-    constexpr double kLeast_m = 5e-4;
+    constexpr double kMinScale_m = 5e-4;
     constexpr double kNormal = 1.4826;
     std::vector<double> sizes(residuals_m_);
     for (double& r : sizes) r = std::abs(r);
-    return std::max(kLeast_m, kNormal * *median(std::move(sizes)));
+    return std::max(kMinScale_m, kNormal * *median(std::move(sizes)));
   }
 
   template <typename Weight>
   void iterate(const Weight& weight_at) {
-    constexpr int kMostSteps = 50;
+    constexpr int kMaxSteps = 50;
     constexpr double kConverged_m = 1e-10;
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMaxSteps; ++step) {
       const double scale = scale_m();
       for (std::size_t i = 0; i < weights_.size(); ++i)
         weights_[i] = weight_at(residuals_m_[i], scale);
@@ -184,9 +185,9 @@ class Fit {
       weights += weights_[i];
       if (u2 < 1.0) derivatives += (1.0 - u2) * (1.0 - 5.0 * u2);
     }
-    constexpr double kLeast =
+    constexpr double kMinDerivative =
         0.1;  // residuals that are spread out make it small, and the covariance large
-    return std::max(kLeast, derivatives / weights);
+    return std::max(kMinDerivative, derivatives / weights);
   }
 
   [[nodiscard]] std::map<std::size_t, Cluster> clusters() const {
@@ -223,10 +224,10 @@ Eigen::VectorXd effective_clusters(const Fit& fit) {
 
 /// Moves the axes that fewer than two clusters tell to those that are not told.
 bool drop_lonely(const Eigen::VectorXd& n_clusters, Basis& basis) {
-  constexpr double kFewest = 2.0;
+  constexpr double kMinEffectiveClusters = 2.0;
   Eigen::Matrix3Xd told(3, 0);
   for (Eigen::Index i = 0; i < n_clusters.size(); ++i) {
-    Eigen::Matrix3Xd& kept = n_clusters[i] >= kFewest ? told : basis.untold;
+    Eigen::Matrix3Xd& kept = n_clusters[i] >= kMinEffectiveClusters ? told : basis.untold;
     kept.conservativeResize(3, kept.cols() + 1);
     kept.rightCols<1>() = basis.told.col(i);
   }
@@ -239,7 +240,7 @@ bool drop_lonely(const Eigen::VectorXd& n_clusters, Basis& basis) {
 ShiftAxis axis_of(const ConstantShift& shift, int axis) {
   double untold = 0.0;
   for (const Eigen::Vector3d& direction : shift.untold) untold += std::pow(direction[axis], 2);
-  if (std::sqrt(untold) > kMostUntold) return {};
+  if (std::sqrt(untold) > kMaxUndeterminedPart) return {};
   const double value_m = shift.shift_m[axis];
   const double half_m = kNormal95 * std::sqrt(std::max(0.0, shift.covariance_m2(axis, axis)));
   return {value_m, Interval{value_m - half_m, value_m + half_m}};

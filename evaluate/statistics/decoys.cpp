@@ -59,7 +59,7 @@ bool all_in_range(const Segment3& segment, const std::array<double, 2>& heights_
 }
 
 std::optional<JudgedLine> matched_falsely(const JudgedLine& line, double up_m) {
-  constexpr double kFlattest = 10.0;
+  constexpr double kMaxShiftPerHeight = 10.0;
   if (!line.images) return std::nullopt;
   JudgedLine decoy = line;
   std::vector<ImageSighting>& seen = decoy.images->sightings;
@@ -68,7 +68,7 @@ std::optional<JudgedLine> matched_falsely(const JudgedLine& line, double up_m) {
                    along_ray(base, line.segment.end, up_m)};
   const double farthest_m = std::max((decoy.segment.start - line.segment.start).norm(),
                                      (decoy.segment.end - line.segment.end).norm());
-  const bool is_near = farthest_m <= kFlattest * std::abs(up_m);  // false for NaN
+  const bool is_near = farthest_m <= kMaxShiftPerHeight * std::abs(up_m);  // false for NaN
   if (!is_near || !all_in_range(decoy.segment, line.images->height_range_m)) return std::nullopt;
   for (ImageSighting& other : std::span(seen).subspan(1)) {
     other.px = false_match(other, line.segment, decoy.segment);

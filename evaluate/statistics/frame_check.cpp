@@ -51,7 +51,7 @@ FrameCheck check_frame(std::span<const LineEvaluation> lines, double tolerance_m
                                 n_near, n_looked_up);
     if (n_far_in_height > 0) {
       result.reason += fmt::format(" ({} lie at one height more than {:.0f} m above or below it)",
-                                   n_far_in_height, kFarthestHeight_m);
+                                   n_far_in_height, kMaxHeightOffset_m);
     }
   } else if (result.median_distance_m.value_or(0.0) > kMaxTolerances * tolerance_m) {
     result.reason = fmt::format(

@@ -112,10 +112,10 @@ struct ErrorParts {
 /// The error parts by the offsets of the ends, between which they change linearly. Nothing for a steep
 /// reference line.
 std::optional<ErrorParts> error_parts(const Segment3& segment, const Segment3& reference) {
-  constexpr double kSteepest = 3.732;  // tan 75 degrees
+  constexpr double kMaxSlope = 3.732;  // tan 75 degrees
   const Eigen::Vector3d along = reference.end - reference.start;
   const double plan_m = along.head<2>().norm();
-  if (!(std::abs(along.z()) <= kSteepest * plan_m) || !(plan_m > 0.0)) return std::nullopt;
+  if (!(std::abs(along.z()) <= kMaxSlope * plan_m) || !(plan_m > 0.0)) return std::nullopt;
   const Eigen::Vector2d u = along.head<2>() / plan_m;
   std::array<double, 2> across_m{};
   std::array<double, 2> above_m{};

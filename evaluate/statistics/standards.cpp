@@ -82,9 +82,9 @@ AsprsFigures asprs_of(const std::vector<const LineEvaluation*>& lines,
 }
 
 NssdaFigures nssda_of(const AsprsFigures& asprs) {
-  constexpr std::size_t kLeast = 20;
+  constexpr std::size_t kMinSampleSize = 20;
   constexpr double kHorizontal = 1.7308, kVertical = 1.9600;
-  if (asprs.n < kLeast) return {};
+  if (asprs.n < kMinSampleSize) return {};
   return {kHorizontal * *asprs.rmse_horizontal_m, kVertical * *asprs.rmse_vertical_m};
 }
 

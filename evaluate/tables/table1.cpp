@@ -54,7 +54,7 @@ Json tracks_json(const PatchTracks& of_patch) {
     cells.push_back(
         {{"class", cell.line_class},
          {"n_images",
-          cell.group ? Json(*cell.group + static_cast<std::size_t>(kFewestImages)) : Json(nullptr)},
+          cell.group ? Json(*cell.group + static_cast<std::size_t>(kMinImages)) : Json(nullptr)},
          {"edges", c.n_edges},
          {"edges_found", c.n_edges_found},
          {"edge_recall", number_json(c.edge_recall())},

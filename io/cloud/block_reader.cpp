@@ -19,7 +19,7 @@ namespace ridgeline::io {
 
 namespace {
 
-constexpr double kLargestCoordinateM = 1e8;  // beyond any map of the Earth, in metres or feet
+constexpr double kMaxCoordinateM = 1e8;  // beyond any map of the Earth, in metres or feet
 
 /// One block on its way from the file to the cloud; its storage is used again.
 struct Block {
@@ -55,9 +55,9 @@ void check_range(const Eigen::AlignedBox3d& extent_in_world, const std::string& 
   if (extent_in_world.isEmpty()) return;
   for (int axis = 0; axis < 3; ++axis) {
     for (const double value : {extent_in_world.min()[axis], extent_in_world.max()[axis]}) {
-      if (std::abs(value) > kLargestCoordinateM) {
+      if (std::abs(value) > kMaxCoordinateM) {
         throw IoError(path, fmt::format("a point has {} = {} m; coordinates beyond {} m are damage",
-                                        "xyz"[axis], value, kLargestCoordinateM));
+                                        "xyz"[axis], value, kMaxCoordinateM));
       }
     }
   }

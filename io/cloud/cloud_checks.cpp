@@ -49,11 +49,11 @@ bool is_raster(const CloudSource& source,
                const Eigen::Vector3d& steps_m,
                const SeenPoints& seen) {
   // Points at the centres of cells may halve the step; a full raster then fills a quarter of the cells.
-  constexpr double kLeastFill = 0.1;
+  constexpr double kMinFill = 0.1;
   if (!(steps_m.x() > 0.0) || steps_m.x() != steps_m.y() || source.n_blocks() == 0) return false;
   const Eigen::Vector3d size_m = seen.extent_in_world.sizes();
   const double n_cells = (size_m.x() / steps_m.x() + 1.0) * (size_m.y() / steps_m.y() + 1.0);
-  if (static_cast<double>(seen.n) < kLeastFill * n_cells) return false;
+  if (static_cast<double>(seen.n) < kMinFill * n_cells) return false;
   std::vector<CloudPoint> points;
   source.decode_block(0, {.unit_m = unit_m}, points);
   std::vector<std::pair<std::int64_t, std::int64_t>> cells;

@@ -56,7 +56,7 @@ std::optional<LocalFrame> origin_of(const CloudSource& source, const Eigen::Vect
 }
 
 bool has_size_of_degrees(const CloudSource& source) {
-  constexpr double kWidest_deg = 0.2;
+  constexpr double kMaxWidth_deg = 0.2;
   const std::array<std::vector<double>, 3> coordinates = sample(source, Eigen::Vector3d::Ones());
   if (coordinates[0].empty()) return false;
   std::array<double, 3> extent{};
@@ -67,7 +67,7 @@ bool has_size_of_degrees(const CloudSource& source) {
     if (axis < 2 && std::max(-*lowest, *highest) > limit_deg) return false;
   }
   const double width = std::max(extent[0], extent[1]);
-  return width > 0.0 && width < kWidest_deg && extent[2] > width;
+  return width > 0.0 && width < kMaxWidth_deg && extent[2] > width;
 }
 
 }  // namespace ridgeline::io

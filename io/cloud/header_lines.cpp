@@ -14,9 +14,9 @@ HeaderLines::HeaderLines(std::span<const std::byte> file, std::string file_path)
     : text_(reinterpret_cast<const char*>(file.data()), file.size()), path_(std::move(file_path)) {}
 
 std::vector<std::string_view> HeaderLines::next() {
-  constexpr std::size_t kLongestLine = 65536;
+  constexpr std::size_t kMaxLineLength = 65536;
   ++line_;
-  const std::size_t end = text_.substr(offset_, kLongestLine).find('\n');
+  const std::size_t end = text_.substr(offset_, kMaxLineLength).find('\n');
   if (end == std::string_view::npos) fail("the header does not end");
   std::string_view line = text_.substr(offset_, end);
   offset_ += end + 1;

@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::uint16_t kWktRecord = 2112;
 constexpr std::uint16_t kGeoTiffRecord = 34735;
-constexpr std::uint64_t kLongestWkt = 1U << 20U;  // bytes; an EVLR may claim the rest of the file
+constexpr std::uint64_t kMaxWkt_bytes = 1U << 20U;  // bytes; an EVLR may claim the rest of the file
 
 std::optional<std::string> read_wkt(std::span<const std::byte> file, const LasHeader& header) {
   for (const char* const user : {"LASF_Projection", "liblas"}) {
     const std::optional<LasVlr> record = find_vlr(header, user, kWktRecord);
-    if (!record || record->data_size > kLongestWkt) continue;
+    if (!record || record->data_size > kMaxWkt_bytes) continue;
     std::string text = load_text(file.subspan(record->data_offset, record->data_size));
     if (text.find_first_not_of(" \t\r\n") != std::string::npos) return text;
   }

@@ -7,7 +7,7 @@ namespace ridgeline::io {
 
 namespace {
 
-constexpr std::size_t kLongestCopy = 264;  // the most bytes that a reference of 3 bytes copies
+constexpr std::size_t kMaxCopy_bytes = 264;  // the most bytes that a reference of 3 bytes copies
 
 /// Reads a packed stream; every step returns whether the bytes that it needs were there.
 class Unpacker {
@@ -67,7 +67,7 @@ class Unpacker {
 
 std::optional<std::vector<std::byte>> unpack_lzf(std::span<const std::byte> packed,
                                                  std::size_t unpacked_size) {
-  if (unpacked_size / kLongestCopy > packed.size()) return std::nullopt;
+  if (unpacked_size / kMaxCopy_bytes > packed.size()) return std::nullopt;
   Unpacker unpacker(packed, unpacked_size);
   while (!unpacker.at_end()) {
     if (!unpacker.step()) return std::nullopt;

@@ -87,7 +87,7 @@ class PcdEntries {
 
 std::vector<PcdField> read_fields(const PcdEntries& entries, const HeaderLines& lines) {
   // Most numbers of a point; each takes memory of the reader.
-  constexpr std::uint64_t kMostNumbers = 1U << 20U;
+  constexpr std::uint64_t kMaxNumbers = 1U << 20U;
   std::uint64_t n_numbers = 0;
   const Words& names = entries.words("FIELDS", 0);
   const Words& sizes = entries.words("SIZE", names.size());
@@ -106,9 +106,9 @@ std::vector<PcdField> read_fields(const PcdEntries& entries, const HeaderLines& 
     if (entries.has("COUNT")) {
       field.count = lines.parse_count(entries.words("COUNT", names.size())[i], "COUNT");
     }
-    if (field.count > kMostNumbers - n_numbers) {
+    if (field.count > kMaxNumbers - n_numbers) {
       lines.fail(fmt::format("field {} has COUNT {}; a point must have at most {} numbers",
-                             names[i], field.count, kMostNumbers));
+                             names[i], field.count, kMaxNumbers));
     }
     n_numbers += field.count;
     fields.push_back(std::move(field));
@@ -182,7 +182,7 @@ std::vector<std::byte> unpack(std::span<const std::byte> data,
                               const std::string& path) {
   constexpr std::size_t kSizes = 8;
   constexpr std::uint64_t kAlwaysUnpacked_bytes = 64U << 20U;
-  constexpr std::uint64_t kMostGrowth = 10;
+  constexpr std::uint64_t kMaxGrowth = 10;
   if (data.size() < kSizes) throw IoError(path, "ends before the sizes of its packed data");
   const std::uint64_t packed_size = load<std::uint32_t>(data.data());
   const std::uint64_t unpacked_size = load<std::uint32_t>(data.data() + 4);
@@ -197,7 +197,7 @@ std::vector<std::byte> unpack(std::span<const std::byte> data,
                                     "are claimed",
                                     unpacked_size, header.n_points, row_size));
   }
-  if (unpacked_size > kAlwaysUnpacked_bytes && unpacked_size / kMostGrowth > packed_size) {
+  if (unpacked_size > kAlwaysUnpacked_bytes && unpacked_size / kMaxGrowth > packed_size) {
     throw IoError(path, fmt::format("{} bytes of packed data would grow to {} bytes; points are "
                                     "packed to a tenth at best, so it is damaged",
                                     packed_size, unpacked_size));

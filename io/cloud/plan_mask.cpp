@@ -13,8 +13,8 @@ namespace ridgeline::io {
 
 namespace {
 
-constexpr double kFarthest_m = 1e8;  // the limit of the coordinates of clouds, too
-constexpr double kMaxCells = 6.4e7;  // 64 MB; lines spread wider get coarser cells
+constexpr double kMaxMaskCoordinate_m = 1e8;  // the limit of the coordinates of clouds, too
+constexpr double kMaxCells = 6.4e7;           // 64 MB; lines spread wider get coarser cells
 
 /// The parameters [t0, t1] of a segment at which its y lies in [low, high]; empty (t0 > t1) if
 /// none.
@@ -36,8 +36,9 @@ PlanMask::PlanMask(std::span<const Segment2> segments_in_local, double radius_m)
         ", must be positive and finite");
   for (const Segment2& segment : segments_in_local) {
     const Eigen::Array4d x(segment.start.x(), segment.start.y(), segment.end.x(), segment.end.y());
-    check((x.abs() <= kFarthest_m).all(), "PlanMask: coordinates of a segment = ", x.transpose(),
-          ", must be finite and at most ", kFarthest_m);
+    check((x.abs() <= kMaxMaskCoordinate_m).all(),
+          "PlanMask: coordinates of a segment = ", x.transpose(), ", must be finite and at most ",
+          kMaxMaskCoordinate_m);
   }
   if (segments_in_local.empty()) return;
   lay_out(segments_in_local, radius_m);

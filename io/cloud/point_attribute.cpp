@@ -22,10 +22,10 @@ T code(double value) {
 }
 
 std::uint16_t intensity(double value) {
-  constexpr double kLargest = std::numeric_limits<std::uint16_t>::max();
+  constexpr double kMaxIntensity = std::numeric_limits<std::uint16_t>::max();
   return std::isnan(value)
              ? std::uint16_t{0}
-             : static_cast<std::uint16_t>(std::round(std::clamp(value, 0.0, kLargest)));
+             : static_cast<std::uint16_t>(std::round(std::clamp(value, 0.0, kMaxIntensity)));
 }
 
 double local(double value, int axis, const LocalFromFile& local_from_file) {

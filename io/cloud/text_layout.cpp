@@ -372,10 +372,10 @@ class LayoutFinder {
 
   /// Refuses points whose first column numbers them, before x, y and z.
   void refuse_running_number() const {
-    constexpr std::size_t kFewest = 3;
+    constexpr std::size_t kMinLines = 3;
     double first = 0.0, first_y = 0.0;
     bool has_other_y = false;
-    if (sample_.size() < kFewest) return;
+    if (sample_.size() < kMinLines) return;
     for (std::size_t i = 0; i < sample_.size(); ++i) {
       const Fields fields = fields_of(sample_[i].text, layout_.separator);
       if (fields.size() < 4) return;
@@ -394,12 +394,12 @@ class LayoutFinder {
   }
 
   void refuse_impossible_height(const LayoutLine& row, const Fields& fields) const {
-    constexpr double kHighest = 30'000.0;  // the highest mountain in feet
+    constexpr double kMaxHeight = 30'000.0;  // the highest mountain in feet
     const auto item = std::ranges::find(layout_.items, PointAttribute::kZ, &TextItem::attribute);
     const auto column = static_cast<std::size_t>(item - layout_.items.begin());
     if (column >= fields.size()) return;
     const auto z = table_number(fields[column]);
-    if (!z || !(std::abs(*z) > kHighest)) return;
+    if (!z || !(std::abs(*z) > kMaxHeight)) return;
     fail(row, fmt::format("column {} as z is {}, no height; name the columns in a line before it, "
                           "such as id,x,y,z, and write decimal points where commas separate",
                           column + 1, fields[column]));

@@ -117,8 +117,8 @@ class TextTableSource : public CloudSource {
       if (item.attribute) set_attribute(*item.attribute, value, local_from_file, point);
       if (!item.is_list) continue;
       // A row that is shorter than its list says leads to an error below.
-      constexpr double kLongestList = 1e6;
-      const auto n = value > 0.0 ? std::lround(std::min(std::ceil(value), kLongestList)) : 0L;
+      constexpr double kMaxListLength = 1e6;
+      const auto n = value > 0.0 ? std::lround(std::min(std::ceil(value), kMaxListLength)) : 0L;
       for (long i = 0; i < n; ++i) (void)number(take_field(fields, line_number), line_number);
     }
     return point;
@@ -200,11 +200,12 @@ bool is_text_row(std::string_view line) {
 }
 
 std::optional<double> table_number(std::string_view field) {
-  constexpr std::size_t kLongest = 64;
+  constexpr std::size_t kMaxLength = 64;
   if (field.starts_with('+')) field.remove_prefix(1);  // from_chars takes no plus sign
-  std::array<char, kLongest> with_point{};
+  std::array<char, kMaxLength> with_point{};
   if (const std::size_t comma = field.find(','); comma != std::string_view::npos) {
-    if (field.size() > kLongest || field.find_first_of(",.", comma + 1) != std::string_view::npos ||
+    if (field.size() > kMaxLength ||
+        field.find_first_of(",.", comma + 1) != std::string_view::npos ||
         field.find('.') != std::string_view::npos) {
       return std::nullopt;
     }

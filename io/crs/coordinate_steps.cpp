@@ -11,7 +11,7 @@ namespace ridgeline::io {
 namespace {
 
 constexpr double kRounding = 0.0006;  // file units; rounding of a float32 printed with 3 decimals
-constexpr double kFarthest = 1e12;    // multiples of any base fit in 64 bits
+constexpr double kMaxValue = 1e12;    // multiples of any base fit in 64 bits
 constexpr std::size_t kSamples = 16;
 
 double smallest_power(double radix, double above) {
@@ -36,7 +36,7 @@ AxisSteps::AxisSteps(double tolerable) {
 void AxisSteps::Lattice::add(double value) {
   if (!is_alive) return;
   const double multiple = std::round(value / base);
-  is_alive = std::abs(value - multiple * base) <= kRounding && std::abs(value) < kFarthest;
+  is_alive = std::abs(value - multiple * base) <= kRounding && std::abs(value) < kMaxValue;
   if (is_alive) add_multiple(static_cast<std::int64_t>(multiple));
 }
 
@@ -81,16 +81,16 @@ double AxisSteps::Lattice::largest_step(double limit, const Next& next) const {
 std::optional<double> AxisSteps::step() const {
   // A step is believed if values on a grid of 0.01 would share it by chance once in 100,000 cases.
   const double fine_grid = decimal_.is_alive ? 0.01 : 2.0 * kRounding;
-  constexpr double kFewestDigits = 5.0;
+  constexpr double kMinDigits = 5.0;
   // Larger powers of 2 are whole numbers, which the decimal steps cover.
-  constexpr double kLargestBinary = 0.5;
+  constexpr double kMaxBinaryStep = 0.5;
   const double step =
-      std::max(binary_.largest_step(kLargestBinary, [](double s) { return 2.0 * s; }),
-               decimal_.largest_step(kFarthest, smallest_decimal));
+      std::max(binary_.largest_step(kMaxBinaryStep, [](double s) { return 2.0 * s; }),
+               decimal_.largest_step(kMaxValue, smallest_decimal));
   const std::size_t n_values = std::max(binary_.is_alive ? binary_.samples.size() : 0,
                                         decimal_.is_alive ? decimal_.samples.size() : 0);
   const double digits = static_cast<double>(n_values) * std::log10(step / fine_grid);
-  if (n_values < 2 || !(digits >= kFewestDigits)) return std::nullopt;
+  if (n_values < 2 || !(digits >= kMinDigits)) return std::nullopt;
   return step;
 }
 

@@ -23,14 +23,14 @@ class Memo {
   /// The value for a definition. `find` computes it the first time, and again if it has thrown.
   template <typename Find>
   Value get(const std::string& definition, const Find& find) {
-    constexpr std::size_t kMost = 64;
+    constexpr std::size_t kMaxValues = 64;
     {
       const std::scoped_lock lock(mutex_);
       if (const auto known = values_.find(definition); known != values_.end()) return known->second;
     }
     Value value = find();
     const std::scoped_lock lock(mutex_);
-    if (values_.size() >= kMost) values_.clear();
+    if (values_.size() >= kMaxValues) values_.clear();
     values_.emplace(definition, value);
     return value;
   }

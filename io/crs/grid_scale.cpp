@@ -91,8 +91,7 @@ std::string place_text(const GridScale& scale) {
 }  // namespace
 
 bool GridScale::is_true() const {
-  return ((scale.array() - 1.0).abs() <= kMostScaleError).all() &&
-         std::abs(skew) <= kMostScaleError;
+  return ((scale.array() - 1.0).abs() <= kMaxScaleError).all() && std::abs(skew) <= kMaxScaleError;
 }
 
 std::optional<GridScale> grid_scale(const Crs& crs, const Eigen::Vector2d& position) {
@@ -168,7 +167,7 @@ std::string require_true_scale(const std::string& path,
                 fmt::format("distances in the plan of \"{}\" are {}, but heights are not, so all "
                             "figures would be wrong; must be within {:g} %: project the data, for "
                             "instance to {}{}",
-                            name, scale_text(*scale), 100.0 * kMostScaleError,
+                            name, scale_text(*scale), 100.0 * kMaxScaleError,
                             utm_zone_text(crs, *scale), remedy));
 }
 

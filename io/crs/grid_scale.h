@@ -18,13 +18,13 @@ struct GridScale {
   double lat_deg = 0.0;
   bool in_area_of_use = true;  ///< whether the place lies there; true if the CRS states no area
 
-  /// Whether figures of the plan are right to kMostScaleError.
+  /// Whether figures of the plan are right to kMaxScaleError.
   [[nodiscard]] bool is_true() const;
 };
 
 /// A figure that is wrong by 1 % is right to its second digit, and intervals of RMS values are wider. It leaves room for
 /// grids of whole countries (UTM far outside of its zone: 0.5 %), but not for those of continents or the world.
-constexpr double kMostScaleError = 0.01;
+constexpr double kMaxScaleError = 0.01;
 
 /// The scale at a place, by central differences of the inverse projection. `position`: east and north in the CRS's
 /// units. Nothing for a CRS that is unknown or not projected, and for a place that is nowhere on Earth.

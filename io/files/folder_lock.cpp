@@ -58,7 +58,7 @@ bool is_in_place(int descriptor, const fs::path& file) {
 /// Opens the lock file, locks it and returns its descriptor. Throws IoError if another process holds the lock, or if
 /// the file cannot be opened.
 int locked_file(const fs::path& folder, const fs::path& file) {
-  constexpr int kMostAttempts = 100;  // a file system may never tell that two names are one file
+  constexpr int kMaxAttempts = 100;  // a file system may never tell that two names are one file
   for (int attempt = 1;; ++attempt) {
     const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
     if (descriptor < 0) {
@@ -73,7 +73,7 @@ int locked_file(const fs::path& folder, const fs::path& file) {
                                                  owner));
     }
     // On a file system without locks flock() fails with another error. Results are written there all the same.
-    if (is_in_place(descriptor, file) || attempt == kMostAttempts) return descriptor;
+    if (is_in_place(descriptor, file) || attempt == kMaxAttempts) return descriptor;
     close(descriptor);
   }
 }
@@ -82,8 +82,8 @@ void remove_left_files(const fs::path& folder) {
   std::error_code error;
   for (auto it = fs::recursive_directory_iterator(folder, error); it != fs::end(it);
        it.increment(error)) {
-    constexpr int kDeepest = 1;  // the deepest files are FOLDER/PATCH/FILE
-    if (it.depth() >= kDeepest) it.disable_recursion_pending();
+    constexpr int kMaxDepth = 1;  // the deepest files are FOLDER/PATCH/FILE
+    if (it.depth() >= kMaxDepth) it.disable_recursion_pending();
     if (is_left_by_dead_process(it->path().filename().string())) {
       it.disable_recursion_pending();
       fs::remove_all(it->path(), error);

@@ -63,9 +63,9 @@ void require_regular_file(const std::string& path, std::optional<Expected> expec
 }
 
 std::string read_input(const std::string& path, std::optional<Expected> expected) {
-  constexpr std::size_t kMostOfPipe_bytes = 64U << 20U;
+  constexpr std::size_t kMaxPipe_bytes = 64U << 20U;
   const std::filesystem::file_status status = status_of(path, expected);
-  if (is_open_pipe(path, status)) return read_at_most(path, expected, kMostOfPipe_bytes);
+  if (is_open_pipe(path, status)) return read_at_most(path, expected, kMaxPipe_bytes);
   if (!std::filesystem::is_regular_file(status)) refuse_irregular(path);
   return read_at_most(path, expected, std::numeric_limits<std::size_t>::max());
 }

@@ -30,12 +30,12 @@ double number_of(const std::string& path, const YAML::Node& node, const std::str
 
 /// Throws IoError if the file has too many values. yaml-cpp takes half a kilobyte and 5 microseconds for each.
 void refuse_too_many_values(const std::string& path, std::string_view content) {
-  constexpr std::ptrdiff_t kMostValues = 400'000;  // enough for the cameras of 10,000 images
+  constexpr std::ptrdiff_t kMaxValues = 400'000;  // enough for the cameras of 10,000 images
   const auto n_values = std::ranges::count_if(
       content, [](char c) { return std::string_view(",:\n[{").find(c) != std::string_view::npos; });
-  if (n_values <= kMostValues) return;
+  if (n_values <= kMaxValues) return;
   throw IoError(path, fmt::format("holds about {} values; at most {} are read from a YAML file",
-                                  n_values, kMostValues));
+                                  n_values, kMaxValues));
 }
 
 }  // namespace

@@ -12,12 +12,11 @@ namespace {
 
 using nlohmann::json;
 
-constexpr auto kLargestInteger =
-    static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+constexpr auto kMaxInteger = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
 
 std::pair<ColumnType, Value> typed(const json& value) {
   if (value.is_boolean()) return {ColumnType::kBoolean, std::int64_t{value.get<bool>() ? 1 : 0}};
-  if (value.is_number_unsigned() && value.get<std::uint64_t>() > kLargestInteger) {
+  if (value.is_number_unsigned() && value.get<std::uint64_t>() > kMaxInteger) {
     return {ColumnType::kReal, value.get<double>()};
   }
   if (value.is_number_integer()) return {ColumnType::kInteger64, value.get<std::int64_t>()};

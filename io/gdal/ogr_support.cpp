@@ -39,10 +39,10 @@ QuietGdal::QuietGdal() { CPLPushErrorHandlerEx(collect, &complaints_); }
 QuietGdal::~QuietGdal() { CPLPopErrorHandler(); }
 
 std::string QuietGdal::complaints(const std::string& fallback) const {
-  constexpr std::size_t kMostCharacters = 200;  // GDAL quotes whole definitions
+  constexpr std::size_t kMaxCharacters = 200;  // GDAL quotes whole definitions
   std::string all;
   for (const std::string& complaint : complaints_) all += (all.empty() ? "" : "; ") + complaint;
-  if (all.size() > kMostCharacters) all = all.substr(0, kMostCharacters) + " ...";
+  if (all.size() > kMaxCharacters) all = all.substr(0, kMaxCharacters) + " ...";
   return all.empty() ? fallback : all;
 }
 

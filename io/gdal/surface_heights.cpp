@@ -45,7 +45,7 @@ std::array<int, 2> cells_within(double origin, double step, double low, double h
 }  // namespace
 
 SurfaceHeights read_surface_heights(const std::string& path, const Eigen::AlignedBox2d& bounds) {
-  constexpr int kMostPerSide = 2000;
+  constexpr int kMaxSide_px = 2000;
   const QuietGdal quiet;
   const GDALDatasetUniquePtr dataset = open_raster(path, quiet);
   std::array<double, 6> t{};  // x = t0 + t1 column + t2 row, y = t3 + t4 column + t5 row
@@ -61,8 +61,8 @@ SurfaceHeights read_surface_heights(const std::string& path, const Eigen::Aligne
   SurfaceHeights found{{}, crs_of(dataset->GetSpatialRef())};
   GDALRasterBand& band = *dataset->GetRasterBand(1);
   if (width > 0 && height > 0) {
-    const int read_width = std::min(width, kMostPerSide);
-    const int read_height = std::min(height, kMostPerSide);
+    const int read_width = std::min(width, kMaxSide_px);
+    const int read_height = std::min(height, kMaxSide_px);
     std::vector<double> cells(static_cast<std::size_t>(read_width) *
                               static_cast<std::size_t>(read_height));
     if (band.RasterIO(GF_Read, columns[0], rows[0], width, height, cells.data(), read_width,

@@ -158,9 +158,9 @@ class OpenImage {
   /// At most 256 blocks that are spread evenly over the image; all of a small image.
   [[nodiscard]] std::vector<Window> sample_places() const {
     constexpr int kPerSide = 16;
-    constexpr int kMost_px = kPerSide * kSampleBlock_px * kPerSide * kSampleBlock_px;
+    constexpr int kMaxPixels = kPerSide * kSampleBlock_px * kPerSide * kSampleBlock_px;
     const Window whole = whole_of(facts_.width_px, facts_.height_px);
-    if (pixels_of(whole) <= kMost_px) return {whole};
+    if (pixels_of(whole) <= kMaxPixels) return {whole};
     const int n_columns = std::clamp(facts_.width_px / kSampleBlock_px, 1, kPerSide);
     const int n_rows = std::clamp(facts_.height_px / kSampleBlock_px, 1, kPerSide);
     std::vector<Window> places;

@@ -26,9 +26,9 @@ constexpr std::array<std::pair<const char*, const char*>, 3> kOptions{{
 
 /// Shortens a message, as GDAL repeats itself for every block of a damaged file.
 std::string shortened(std::string text) {
-  constexpr std::size_t kLongest = 200;
-  if (text.size() <= kLongest) return text;
-  std::size_t end = kLongest;
+  constexpr std::size_t kMaxLength = 200;
+  if (text.size() <= kMaxLength) return text;
+  std::size_t end = kMaxLength;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // UTF-8
   return text.substr(0, end) + "...";
 }

@@ -56,13 +56,13 @@ constexpr Layout kBig{8, 8, 8, 20, 12};
 
 std::optional<std::uint64_t> tiff_tag(const std::string& path, int tag) {
   constexpr std::uint64_t kBigMagic = 43;
-  constexpr std::uint64_t kMostEntries = 4096;  // of a directory that is not damaged
+  constexpr std::uint64_t kMaxEntries = 4096;  // of a directory that is not damaged
   TiffBytes bytes(path);
   const Layout& layout = bytes.number(2, 2) == kBigMagic ? kBig : kClassic;
   const auto directory = bytes.number(layout.first_offset, layout.offset_bytes);
   if (!directory) return std::nullopt;
   const auto n_entries = bytes.number(*directory, layout.count_bytes);
-  if (!n_entries || *n_entries > kMostEntries) return std::nullopt;
+  if (!n_entries || *n_entries > kMaxEntries) return std::nullopt;
   for (std::uint64_t i = 0; i < *n_entries; ++i) {
     const std::uint64_t entry =
         *directory + static_cast<std::uint64_t>(layout.count_bytes) + i * layout.entry_bytes;

@@ -18,11 +18,11 @@ using enum FileGroup;
 
 /// Names of the entries, sorted; empty for a folder that cannot be read.
 std::vector<std::string> names_in(const fs::path& folder) {
-  constexpr std::size_t kMost = 100'000;
+  constexpr std::size_t kMaxNames = 100'000;
   std::vector<std::string> names;
   std::error_code error;
   for (fs::directory_iterator it(folder, error); !error && it != fs::end(it); it.increment(error)) {
-    if (names.size() == kMost) break;
+    if (names.size() == kMaxNames) break;
     names.push_back(it->path().filename().string());
   }
   std::ranges::sort(names);

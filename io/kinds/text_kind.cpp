@@ -143,8 +143,8 @@ FileKind kind_of_table(const std::vector<std::string>& names) {
 }
 
 bool is_numbers(const std::vector<std::string>& fields) {
-  constexpr std::size_t kFewest = 3;  // x, y and z
-  return fields.size() >= kFewest && std::ranges::all_of(fields, [](const std::string& field) {
+  constexpr std::size_t kMinFields = 3;  // x, y and z
+  return fields.size() >= kMinFields && std::ranges::all_of(fields, [](const std::string& field) {
            return to_double(field).has_value();
          });
 }

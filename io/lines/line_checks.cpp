@@ -22,7 +22,7 @@ bool within_degrees(const Eigen::Vector3d& x) {
 
 /// Whether the coordinates are degrees by their size. Without lines nothing speaks for degrees.
 bool looks_like_degrees(const LineSet& set) {
-  constexpr double kLongestRoofDeg = 0.01;
+  constexpr double kMaxRoofLengthDeg = 0.01;
   std::vector<double> lengths;
   for (const Line& line : set.lines) {
     const Segment3& s = line.segment_in_world;
@@ -33,7 +33,7 @@ bool looks_like_degrees(const LineSet& set) {
   if (lengths.empty()) return false;
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle > 0.0 && *middle < kLongestRoofDeg;
+  return *middle > 0.0 && *middle < kMaxRoofLengthDeg;
 }
 
 bool has_nan(const Segment3& s) {

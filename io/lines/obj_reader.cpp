@@ -69,14 +69,14 @@ Record parse_indices(const std::vector<std::string_view>& words,
 
 /// Reads the records. `set` is where the lines will go; it must have room for them.
 ObjFile parse_obj(const std::string& path, std::string_view content, const LineSet& set) {
-  constexpr std::size_t kLongestRow = 4U << 20U;  // polylines of half a million vertices
+  constexpr std::size_t kMaxRow_bytes = 4U << 20U;  // polylines of half a million vertices
   ObjFile obj;
   std::string object;
   for (const LogicalRow& row : logical_rows(content)) {
     const std::string where = place(path, row.number);
-    if (row.text.size() > kLongestRow) {
+    if (row.text.size() > kMaxRow_bytes) {
       throw IoError(where, fmt::format("a row of {} bytes; at most {} are read", row.text.size(),
-                                       kLongestRow));
+                                       kMaxRow_bytes));
     }
     const std::vector<std::string_view> words = words_of(row.text);
     if (words.empty()) continue;

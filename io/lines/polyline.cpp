@@ -54,15 +54,15 @@ void take_memory(const Line& attributes,
                  LineSet& set) {
   const std::size_t each = sizeof(Line) + 2 * text_bytes(attributes);
   const std::size_t once = bytes_of(values);
-  constexpr std::size_t kMostSegments = 1'000'000;
+  constexpr std::size_t kMaxSegments = 1'000'000;
   if (once <= set.memory_left_bytes &&
-      n_segments <= std::min(kMostSegments, (set.memory_left_bytes - once) / each)) {
+      n_segments <= std::min(kMaxSegments, (set.memory_left_bytes - once) / each)) {
     set.memory_left_bytes -= once + n_segments * each;
     return;
   }
-  if (n_segments > kMostSegments) {
+  if (n_segments > kMaxSegments) {
     throw IoError(set.path, fmt::format("a polyline has {} segments; at most {} are read",
-                                        n_segments, kMostSegments));
+                                        n_segments, kMaxSegments));
   }
   throw_out_of_memory(set);
 }
@@ -70,15 +70,15 @@ void take_memory(const Line& attributes,
 }  // namespace
 
 LineSet lines_for_file(const std::string& path, const std::string& format, std::size_t n_bytes) {
-  constexpr std::size_t kLeast_bytes = 64U << 20U;
-  constexpr std::size_t kMostGrowth = 30;
+  constexpr std::size_t kMinMemory_bytes = 64U << 20U;
+  constexpr std::size_t kMaxGrowth = 30;
   LineSet set;
   set.path = path;
   set.format = format;
-  set.memory_left_bytes = std::max(kLeast_bytes, kMostGrowth * n_bytes);
+  set.memory_left_bytes = std::max(kMinMemory_bytes, kMaxGrowth * n_bytes);
   // Memory is reserved at once, as growth would hold the lines twice. Pages that stay unused cost no memory.
-  constexpr std::size_t kMostReserved_bytes = 512U << 20U;
-  set.lines.reserve(std::min(set.memory_left_bytes, kMostReserved_bytes) / sizeof(Line));
+  constexpr std::size_t kMaxReserved_bytes = 512U << 20U;
+  set.lines.reserve(std::min(set.memory_left_bytes, kMaxReserved_bytes) / sizeof(Line));
   return set;
 }
 

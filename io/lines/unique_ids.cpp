@@ -52,7 +52,7 @@ std::string numbered(const std::string& id,
 }
 
 void number_repeated(LineSet& set) {
-  constexpr std::size_t kMostShown = 3;
+  constexpr std::size_t kMaxShownIds = 3;
   std::unordered_set<std::string> known;
   std::vector<Line*> repeated;
   for (const bool of_parts : {false, true}) {
@@ -66,11 +66,11 @@ void number_repeated(LineSet& set) {
   for (Line* const line : repeated) {
     line->id = numbered(line->id, known, last_numbers[line->id]);
     known.insert(line->id);
-    if (shown.size() < kMostShown) shown.push_back(line->id);
+    if (shown.size() < kMaxShownIds) shown.push_back(line->id);
   }
   set.warnings.push_back(fmt::format(
       "{} lines have an id that an earlier line has and are numbered: {}{}", repeated.size(),
-      fmt::join(shown, ", "), repeated.size() > kMostShown ? ", ..." : ""));
+      fmt::join(shown, ", "), repeated.size() > kMaxShownIds ? ", ..." : ""));
 }
 
 }  // namespace

@@ -298,12 +298,12 @@ class CityGmlReader {
   }
 
   void text(std::string_view piece) {
-    constexpr std::size_t kMostOfWord_bytes = 1U << 20U;
+    constexpr std::size_t kMaxWord_bytes = 1U << 20U;
     const ElementRole role = elements_.back().role;
     if (role == ElementRole::kGeometry) surfaces_.text(piece);
     if (role != ElementRole::kWord && role != ElementRole::kAttributeName) return;
     word_ += piece;
-    if (word_.size() > kMostOfWord_bytes) {
+    if (word_.size() > kMaxWord_bytes) {
       throw IoError(stream_.place(),
                     fmt::format("<{}> has more than 1 MiB of text", elements_.back().name));
     }
@@ -350,9 +350,9 @@ class CityGmlReader {
   }
 
   void note_srs_name(std::string_view name) {
-    constexpr std::size_t kMostNames = 8;
+    constexpr std::size_t kMaxNames = 8;
     if (name.empty() || std::ranges::find(srs_names_, name) != srs_names_.end()) return;
-    if (srs_names_.size() < kMostNames) srs_names_.emplace_back(name);
+    if (srs_names_.size() < kMaxNames) srs_names_.emplace_back(name);
   }
 
   /// All names have to mean one CRS; that of the first name counts, or of the first with heights.

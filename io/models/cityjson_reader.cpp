@@ -105,7 +105,7 @@ struct Placed {
 class ObjectReader {
  public:
   ObjectReader(BuildingModel& model, const ReadModelOptions& options, std::size_t n_bytes)
-      : model_(model), options_(options), vertices_left_(std::max(kLeastVertices, n_bytes)) {}
+      : model_(model), options_(options), vertices_left_(std::max(kMinVertices, n_bytes)) {}
 
   /// Templates are those of the document that the feature belongs to.
   void set_templates(const json& document) {
@@ -141,9 +141,9 @@ class ObjectReader {
 
   /// The building that an object is a part of, over any number of parts; the object itself if it is no part.
   static std::string root_of(const std::string& id, const json& objects) {
-    constexpr int kDeepest = 16;  // parts that are parts of themselves have no root
+    constexpr int kMaxDepth = 16;  // parts that are parts of themselves have no root
     std::string root = id;
-    for (int depth = 0; depth < kDeepest; ++depth) {
+    for (int depth = 0; depth < kMaxDepth; ++depth) {
       const json& parents = member(member(objects, root.c_str()), "parents");
       const auto parent = std::ranges::find_if(parents, [&](const json& id_of_parent) {
         if (!id_of_parent.is_string()) return false;
@@ -285,7 +285,7 @@ class ObjectReader {
     return ring;
   }
 
-  static constexpr std::size_t kLeastVertices = 1'000'000;
+  static constexpr std::size_t kMinVertices = 1'000'000;
 
   BuildingModel& model_;
   const ReadModelOptions& options_;

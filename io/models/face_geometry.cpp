@@ -23,17 +23,17 @@ bool is_in_ring(const Ring& ring, const Eigen::Vector3d& x, int u, int v) {
 }  // namespace
 
 std::optional<Plane3> plane_of(const ModelFace& face) {
-  constexpr double kLeast = 1e-6;  // a mm by a mm
+  constexpr double kMinArea_m2 = 1e-6;  // a mm by a mm
   const Ring& ring = face.rings.front();
   const Eigen::Vector3d area = area_vector(ring);
   const double size = area.norm();
-  if (!(size > kLeast) || !std::isfinite(size)) return std::nullopt;
+  if (!(size > kMinArea_m2) || !std::isfinite(size)) return std::nullopt;
   return Plane3(area / size, mean_of(ring));
 }
 
 bool is_wall(const Plane3& plane) {
-  constexpr double kSteepestRoof_rad = 80.0 * kRadPerDeg;
-  return slope_rad(plane) > kSteepestRoof_rad;
+  constexpr double kMaxRoofSlope_rad = 80.0 * kRadPerDeg;
+  return slope_rad(plane) > kMaxRoofSlope_rad;
 }
 
 bool is_on_face(const ModelFace& face, const Plane3& plane, const Eigen::Vector3d& x) {

@@ -59,8 +59,8 @@ class Nodes {
 
 /// Whether a number of centimetres is an integer of 64 bits.
 bool is_usable(const Eigen::Vector3d& x) {
-  constexpr double kFarthest = 1e15;
-  return x.allFinite() && x.cwiseAbs().maxCoeff() < kFarthest;
+  constexpr double kMaxCoordinate = 1e15;
+  return x.allFinite() && x.cwiseAbs().maxCoeff() < kMaxCoordinate;
 }
 
 /// An edge of a face, or a part of it without a node between its ends.

@@ -53,14 +53,14 @@ void NumberText::add(std::string_view piece) {
 }
 
 void NumberText::take_word(std::string_view word) {
-  constexpr std::size_t kMostShown = 40;
-  constexpr std::size_t kMostNumbers = 3'000'000;
+  constexpr std::size_t kMaxShownCharacters = 40;
+  constexpr std::size_t kMaxNumbers = 3'000'000;
   if (word.empty()) return;
   const std::optional<double> number = to_double(word);
   if (!number || !std::isfinite(*number)) {
-    fail_(fmt::format("'{}' is no finite number", word.substr(0, kMostShown)));
+    fail_(fmt::format("'{}' is no finite number", word.substr(0, kMaxShownCharacters)));
   }
-  if (numbers_.size() >= kMostNumbers) fail_("more than 1,000,000 vertices");
+  if (numbers_.size() >= kMaxNumbers) fail_("more than 1,000,000 vertices");
   numbers_.push_back(*number);
 }
 

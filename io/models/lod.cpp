@@ -10,13 +10,13 @@ namespace ridgeline::io {
 namespace {
 
 /// Level 0 is a footprint, level 4 has rooms.
-constexpr double kLowest = 1.0;
+constexpr double kMinLevel = 1.0;
 constexpr double kBelow = 4.0;
 
-double level_of(const std::string& lod) { return to_double(lod).value_or(kLowest); }
+double level_of(const std::string& lod) { return to_double(lod).value_or(kMinLevel); }
 
 bool is_of(const std::string& lod, std::string_view wanted) {
-  if (wanted.empty()) return level_of(lod) >= kLowest && level_of(lod) < kBelow;
+  if (wanted.empty()) return level_of(lod) >= kMinLevel && level_of(lod) < kBelow;
   return lod == wanted ||
          (wanted.size() == 1 && lod.starts_with(wanted) && lod.size() > 1 && lod[1] == '.');
 }

@@ -15,7 +15,7 @@
 namespace ridgeline::io {
 namespace {
 
-constexpr std::size_t kMost_bytes = std::size_t{4} << 30U;
+constexpr std::size_t kMaxInflated_bytes = std::size_t{4} << 30U;
 
 BuildingModel read(const std::string& path, const ReadModelOptions& options) {
   if (kind_of_path(path).ending == ".gml") return read_citygml(path, options);
@@ -38,9 +38,9 @@ void require_faces(const BuildingModel& model, const ReadModelOptions& options) 
 std::string text_of_model(const std::string& path) {
   std::string text = read_input(path, Expected::kLines);
   if (is_gzip(text)) {
-    Inflated all = inflated(text, kMost_bytes);
+    Inflated all = inflated(text, kMaxInflated_bytes);
     if (!all.is_whole)
-      throw IoError(path, all.text.size() < kMost_bytes
+      throw IoError(path, all.text.size() < kMaxInflated_bytes
                               ? "is compressed by gzip and ends before its end"
                               : "is compressed by gzip and holds more than 4 GiB");
     text = std::move(all.text);

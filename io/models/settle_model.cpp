@@ -37,10 +37,10 @@ void make_ids_unique(std::vector<Building>& buildings, std::vector<std::string>&
 }
 
 bool has_area(const Ring& ring) {
-  constexpr double kFarthest = 1e12;  // beyond it no millimetre is told apart
+  constexpr double kMaxCoordinate = 1e12;  // beyond it no millimetre is told apart
   return std::ranges::all_of(ring,
                              [](const Eigen::Vector3d& x) {
-                               return x.allFinite() && x.cwiseAbs().maxCoeff() < kFarthest;
+                               return x.allFinite() && x.cwiseAbs().maxCoeff() < kMaxCoordinate;
                              }) &&
          plane_of({{ring}, SurfaceKind::kUnknown, 0, ""});
 }

@@ -93,11 +93,11 @@ bool is_understood(const Crs& crs) {
 }  // namespace
 
 SrsName read_srs_name(std::string_view name) {
-  constexpr std::size_t kMostShown = 120;
+  constexpr std::size_t kMaxShownCharacters = 120;
   SrsName result;
   name = trimmed(name);
   if (name.empty()) return result;
-  const std::string shown(name.substr(0, kMostShown));
+  const std::string shown(name.substr(0, kMaxShownCharacters));
   const std::string lower = lower_case(name);
   const bool is_adv = lower.starts_with("urn:adv:");
   result.keeps_axis_order = lower.starts_with("urn:") || lower.starts_with("http");

@@ -29,7 +29,7 @@ std::optional<std::string> code_at_epsg(const PJ* crs) {
 }
 
 void check_faces(const BuildingModel& model) {
-  constexpr double kMost = 9e12;  // whose thousandths are exact in a double
+  constexpr double kMaxCoordinate = 9e12;  // whose thousandths are exact in a double
   for (const ModelFace& face : model.faces) {
     check(face.building < model.buildings.size(), "write_model: building = ", face.building,
           ", must be that of a building of the model");
@@ -38,7 +38,7 @@ void check_faces(const BuildingModel& model) {
       check(ring.size() >= 3, "write_model: a ring has ", ring.size(),
             " vertices, must have three");
       for (const Eigen::Vector3d& vertex : ring) {
-        check(vertex.allFinite() && vertex.cwiseAbs().maxCoeff() < kMost,
+        check(vertex.allFinite() && vertex.cwiseAbs().maxCoeff() < kMaxCoordinate,
               "write_model: vertex = ", vertex.transpose(), ", must be finite and below 9e12");
       }
     }

@@ -42,9 +42,9 @@ class Unpacked {
     require_regular_file(path);
     file_.reset(gzopen(path.c_str(), "rb"));
     if (!file_) throw IoError(path, "cannot be read");
-    constexpr std::uintmax_t kMostGrowth = 100;  // indented XML shrinks to a thirtieth
+    constexpr std::uintmax_t kMaxGrowth = 100;  // indented XML shrinks to a thirtieth
     constexpr std::uintmax_t kAlwaysRead_bytes = 64U << 20U;
-    most_bytes_ = std::max(kAlwaysRead_bytes, kMostGrowth * std::filesystem::file_size(path));
+    most_bytes_ = std::max(kAlwaysRead_bytes, kMaxGrowth * std::filesystem::file_size(path));
   }
 
   /// The next bytes; none at the end.
@@ -118,10 +118,10 @@ struct XmlStream::Parser {
   static void on_start(void* user, const char* name, const char** attributes) {
     Parser& parser = of(user);
     parser.guarded([&] {
-      constexpr int kMostDepth = 200;  // CityGML needs about 30
-      if (++parser.depth > kMostDepth) {
+      constexpr int kMaxDepth = 200;  // CityGML needs about 30
+      if (++parser.depth > kMaxDepth) {
         throw IoError(parser.place(),
-                      fmt::format("more than {} elements lie within each other", kMostDepth));
+                      fmt::format("more than {} elements lie within each other", kMaxDepth));
       }
       parser.events.start(split_name(name), XmlAttributes(attributes));
     });
@@ -160,9 +160,9 @@ struct XmlStream::Parser {
 
   /// Expat keeps a tag until it is whole and reads it again from its start with each piece.
   void refuse_endless_token(std::size_t n_bytes) {
-    constexpr std::size_t kMostOfToken_bytes = 4U << 20U;
+    constexpr std::size_t kMaxToken_bytes = 4U << 20U;
     n_bytes_of_token = made_progress ? 0 : n_bytes_of_token + n_bytes;
-    if (n_bytes_of_token > kMostOfToken_bytes) throw IoError(place(), "a tag has more than 4 MiB");
+    if (n_bytes_of_token > kMaxToken_bytes) throw IoError(place(), "a tag has more than 4 MiB");
   }
 
   std::string path;

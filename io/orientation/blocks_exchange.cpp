@@ -55,10 +55,10 @@ BrownDistortion distortion_of(const XmlElement& distortion) {
 }
 
 Eigen::Vector2i size_of(const XmlElement& photogroup) {
-  constexpr double kMost_px = 1e6;
+  constexpr double kMaxSide_px = 1e6;
   const Eigen::Vector2d size(photogroup.number("ImageDimensions/Width"),
                              photogroup.number("ImageDimensions/Height"));
-  if (size.minCoeff() < 1.0 || size.maxCoeff() > kMost_px) {
+  if (size.minCoeff() < 1.0 || size.maxCoeff() > kMaxSide_px) {
     photogroup.fail(fmt::format("{} x {} px; must be positive", size.x(), size.y()));
   }
   return size.cast<int>();

@@ -19,9 +19,9 @@ BrownDistortion distortion_of(const YamlMap& map) {
 
 Eigen::Vector2i size_of(const YamlMap& map, const char* key) {
   const std::vector<double> size = map.numbers(key, 2);
-  constexpr double kMost_px = 1e6;
+  constexpr double kMaxSide_px = 1e6;
   for (const double side : size) {
-    if (side >= 1.0 && side <= kMost_px && side == std::floor(side)) continue;
+    if (side >= 1.0 && side <= kMaxSide_px && side == std::floor(side)) continue;
     map.fail(key,
              fmt::format("{} = [{}, {}]; must be whole numbers of pixels", key, size[0], size[1]));
   }

@@ -71,8 +71,8 @@ ExteriorOrientation exterior_of(const std::array<double, 7>& q_and_t, const std:
 }
 
 Eigen::Vector2i size_of(double width_px, double height_px, const std::string& where) {
-  constexpr double kMost_px = 1e6;
-  if (width_px >= 1.0 && height_px >= 1.0 && width_px <= kMost_px && height_px <= kMost_px) {
+  constexpr double kMaxSide_px = 1e6;
+  if (width_px >= 1.0 && height_px >= 1.0 && width_px <= kMaxSide_px && height_px <= kMaxSide_px) {
     return Eigen::Vector2d(width_px, height_px).cast<int>();
   }
   throw IoError(where,
@@ -109,13 +109,13 @@ class ColmapRows {
  private:
   /// A row is at most as long as that of an image with 100,000 points.
   bool read_row() {
-    constexpr std::size_t kLongest = std::size_t{8} << 20U;
+    constexpr std::size_t kMaxRow_bytes = std::size_t{8} << 20U;
     row_.clear();
     bool any = false;
     for (int c = buffer_->sbumpc(); c != std::char_traits<char>::eof(); c = buffer_->sbumpc()) {
       any = true;
       if (c == '\n') return true;
-      if (row_.size() == kLongest) {
+      if (row_.size() == kMaxRow_bytes) {
         throw IoError(place(path_, number_ + 1), "is no text; the file is damaged");
       }
       row_ += static_cast<char>(c);
@@ -207,11 +207,11 @@ class BinaryReader {
     return value;
   }
   std::string next_text() {
-    constexpr std::size_t kLongest = 4096;  // of a path
+    constexpr std::size_t kMaxName_bytes = 4096;  // of a path
     std::string text;
     while (const char c = next<char>()) {
       text += c;
-      if (text.size() > kLongest) throw IoError(path_, "has a name of more than 4096 bytes");
+      if (text.size() > kMaxName_bytes) throw IoError(path_, "has a name of more than 4096 bytes");
     }
     return text;
   }

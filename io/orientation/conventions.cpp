@@ -97,9 +97,9 @@ std::optional<std::size_t> decided_by(const Evidence& evidence) {
 /// The most that right rays miss each other by. Points are found in images reduced to 1500 pixels, so in large frames they
 /// are less exact.
 double most_ray_distance_px(const Orientation& orientation) {
-  constexpr double kLeast_px = 5.0;
+  constexpr double kMinDistance_px = 5.0;
   constexpr double kOfLongerSide = 0.002;
-  double most_px = kLeast_px;
+  double most_px = kMinDistance_px;
   for (const Camera& camera : orientation.cameras) {
     if (!camera.interior.size_px) continue;
     most_px = std::max(most_px, kOfLongerSide * camera.interior.size_px->maxCoeff());

@@ -55,9 +55,9 @@ Angles angles_deg(const Eigen::Matrix3d& world_from_camera_axes);
 std::vector<AngleUnit> possible_units(const std::vector<Angles>& angles);
 
 /// The median distance, px, of the observations from the points in which their rays meet; the rays meet where the sum
-/// of squared distances to them is least. Nothing with fewer than kFewestMeetings points that two images with cameras
+/// of squared distances to them is least. Nothing with fewer than kMinMeetings points that two images with cameras
 /// observe.
-constexpr std::size_t kFewestMeetings = 10;
+constexpr std::size_t kMinMeetings = 10;
 std::optional<double> median_ray_distance_px(const Orientation& orientation,
                                              const std::vector<PointObservation>& observations);
 

@@ -113,7 +113,7 @@ MapFeature cell_of(const Eigen::Vector2d& corner,
 /// Square cells with the number of images that see their middle; cells that none sees are left out.
 MapLayer overlap_layer(const std::vector<Ring>& rings, double height_m) {
   constexpr double kCells = 2500.0;
-  constexpr double kMostInARow = 500.0;  // of long strips
+  constexpr double kMaxCellsPerRow = 500.0;  // of long strips
   MapLayer layer{.name = "overlap",
                  .description = "number of images that see the middle of a cell",
                  .geometry = MapGeometry::kPolygon,
@@ -121,8 +121,8 @@ MapLayer overlap_layer(const std::vector<Ring>& rings, double height_m) {
                  .features = {},
                  .style = {}};
   const Eigen::AlignedBox2d extent = extent_of_rings(rings);
-  const double side_m =
-      std::max(std::sqrt(extent.sizes().prod() / kCells), extent.sizes().maxCoeff() / kMostInARow);
+  const double side_m = std::max(std::sqrt(extent.sizes().prod() / kCells),
+                                 extent.sizes().maxCoeff() / kMaxCellsPerRow);
   const Eigen::Vector2i n = (extent.sizes() / side_m).array().ceil().cast<int>();
   for (int row = 0; row < n.y(); ++row) {
     for (int column = 0; column < n.x(); ++column) {

@@ -19,10 +19,10 @@ Eigen::Vector3d middle_of(const Orientation& orientation, const Eigen::Isometry3
 }
 
 void require_on_earth(const std::string& path, const Eigen::Vector3d& x_in_geocentric_m) {
-  constexpr double kLeast_m = 6.3e6;
-  constexpr double kMost_m = 6.5e6;
+  constexpr double kMinRadius_m = 6.3e6;
+  constexpr double kMaxRadius_m = 6.5e6;
   const double radius_m = x_in_geocentric_m.norm();
-  if (radius_m >= kLeast_m && radius_m <= kMost_m) return;
+  if (radius_m >= kMinRadius_m && radius_m <= kMaxRadius_m) return;
   throw IoError(path,
                 fmt::format("places the images {:.3g} km from the centre of the Earth; geocentric "
                             "coordinates are expected",

@@ -136,9 +136,9 @@ class InphoReader {
   [[nodiscard]] Eigen::Vector2i size_of(const InphoBlock& block,
                                         const std::string& columns,
                                         const std::string& rows) const {
-    constexpr double kMost_px = 1e6;
+    constexpr double kMaxSide_px = 1e6;
     const Eigen::Vector2d size(numbers(block, columns, 1)[0], numbers(block, rows, 1)[0]);
-    if (size.minCoeff() < 1.0 || size.maxCoeff() > kMost_px)
+    if (size.minCoeff() < 1.0 || size.maxCoeff() > kMaxSide_px)
       fail(block.row, "$CCD_COLUMNS and $CCD_ROWS must be positive");
     return size.cast<int>();
   }

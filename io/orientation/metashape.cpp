@@ -72,8 +72,8 @@ InteriorOrientation sensor_interior(const std::string& path, const XmlElement& s
   const XmlElement resolution = calibration.child("resolution");
   const Eigen::Vector2d size_px(resolution.attribute_number("width"),
                                 resolution.attribute_number("height"));
-  constexpr double kMost_px = 1e6;
-  if (size_px.minCoeff() < 1.0 || size_px.maxCoeff() > kMost_px)
+  constexpr double kMaxSide_px = 1e6;
+  if (size_px.minCoeff() < 1.0 || size_px.maxCoeff() > kMaxSide_px)
     sensor.fail("its size must be positive");
   const auto value = [&](const char* name) { return calibration.number_or(name, 0.0); };
   InteriorOrientation interior;

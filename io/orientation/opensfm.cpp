@@ -28,7 +28,7 @@ bool is_key_left_out(const Json& key) {
 /// Parses without the points. A name that stands twice in an object is an error; the parser would keep the last one.
 Json parse_without_points(const std::string& path) {
   constexpr int kOfReconstruction = 2;  // within the list and the object
-  const std::string text = read_orientation_text(path, std::uint64_t{4} * kMostOrientation_bytes);
+  const std::string text = read_orientation_text(path, std::uint64_t{4} * kMaxOrientation_bytes);
   if (!is_shallow_json(text)) throw IoError(path, "is nested more than 64 levels deep");
   std::set<std::string> names;
   const auto keep = [&](int depth, Json::parse_event_t event, Json& parsed) {
@@ -138,9 +138,9 @@ class OpensfmReader {
   }
 
   [[nodiscard]] Eigen::Vector2i size_of(const Json& camera) const {
-    constexpr double kMost_px = 1e6;
+    constexpr double kMaxSide_px = 1e6;
     const Eigen::Vector2d size(number(camera, "width"), number(camera, "height"));
-    if (size.minCoeff() < 1.0 || size.maxCoeff() > kMost_px)
+    if (size.minCoeff() < 1.0 || size.maxCoeff() > kMaxSide_px)
       fail("a camera's size must be positive");
     return size.cast<int>();
   }

@@ -73,8 +73,8 @@ class Pix4dReader {
     const std::vector<std::string_view> words = words_of(rows_[row].text);
     if (words.size() < 3) throw IoError(where, "name, width and height of an image are expected");
     const std::vector<double> size = to_doubles({words.end() - 2, words.end()}, where);
-    constexpr double kMost_px = 1e6;
-    if (!(std::min(size[0], size[1]) >= 1.0) || std::max(size[0], size[1]) > kMost_px) {
+    constexpr double kMaxSide_px = 1e6;
+    if (!(std::min(size[0], size[1]) >= 1.0) || std::max(size[0], size[1]) > kMaxSide_px) {
       throw IoError(where, fmt::format("{} x {} px; must be positive", size[0], size[1]));
     }
     name = trimmed(rows_[row].text.substr(

@@ -72,7 +72,7 @@ std::optional<double> median_ray_distance_px(const Orientation& orientation,
     }
   }
   std::erase_if(rays_of_points, [](const auto& point) { return point.second.size() < 2; });
-  if (rays_of_points.size() < kFewestMeetings) return std::nullopt;
+  if (rays_of_points.size() < kMinMeetings) return std::nullopt;
   std::vector<double> distances_px;
   for (const auto& [point, rays] : rays_of_points) {
     const Eigen::Vector3d x_in_local = meeting_of(rays);

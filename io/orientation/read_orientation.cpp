@@ -82,8 +82,8 @@ void check_pose(const std::string& path, const OrientedImage& image) {
   if (!is_rotation) {
     throw IoError(path, fmt::format("the matrix of image {} is no rotation", image.name));
   }
-  constexpr double kFarthest_m = 1e8;
-  if (!(image.exterior.position_m.cwiseAbs().maxCoeff() <= kFarthest_m)) {
+  constexpr double kMaxCoordinate_m = 1e8;
+  if (!(image.exterior.position_m.cwiseAbs().maxCoeff() <= kMaxCoordinate_m)) {
     throw IoError(path, fmt::format("the position of image {} is nowhere on Earth", image.name));
   }
 }

@@ -33,10 +33,10 @@ std::array<std::string, 3> forms_of(const std::string& name) {
 /// The names most like `name`, the nearest first.
 std::vector<std::string_view> nearest_names(const std::vector<std::string>& names,
                                             const std::string& name) {
-  constexpr std::size_t kMost = 3;
+  constexpr std::size_t kMaxNames = 3;
   std::vector<std::string_view> left(names.begin(), names.end());
   std::vector<std::string_view> nearest;
-  while (!left.empty() && nearest.size() < kMost) {
+  while (!left.empty() && nearest.size() < kMaxNames) {
     nearest.push_back(nearest_name(name, left));
     left.erase(std::ranges::find(left, nearest.back()));
   }

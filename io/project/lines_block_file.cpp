@@ -55,11 +55,11 @@ class LinesBlockReader {
   }
 
   [[nodiscard]] double patch_size_m() const {
-    constexpr double kLeast_m = 1.0, kMost_m = 1e6;
+    constexpr double kMinSize_m = 1.0, kMaxSize_m = 1e6;
     const double size_m = map_.number("patch_size_m");
-    if (size_m < kLeast_m || size_m > kMost_m) {
+    if (size_m < kMinSize_m || size_m > kMaxSize_m) {
       map_.fail("patch_size_m", fmt::format("patch_size_m = {}; must be in [{:g}, {:g}]", size_m,
-                                            kLeast_m, kMost_m));
+                                            kMinSize_m, kMaxSize_m));
     }
     return size_m;
   }

@@ -131,10 +131,11 @@ Eigen::Vector2d ListedImage::corner_px() const {
 void ListedImage::set_window(PatchImage& image) const {
   if (!states_what_is_read()) return;
   const std::vector<double> values = map_.numbers("window_px", 4);
-  constexpr double kMost = 1e6;
+  constexpr double kMaxCoordinate_px = 1e6;
   for (std::size_t i = 0; i < 4; ++i) {
     const double least = i < 2 ? 0.0 : 2.0;
-    if (values[i] == std::floor(values[i]) && values[i] >= least && values[i] <= kMost) continue;
+    if (values[i] == std::floor(values[i]) && values[i] >= least && values[i] <= kMaxCoordinate_px)
+      continue;
     map_.fail("window_px", fmt::format("window_px = [{}]; must be whole numbers [column, row, "
                                        "columns, rows] within the frame, at least 2 x 2",
                                        fmt::join(values, ", ")));

@@ -201,10 +201,10 @@ class PatchReader {
       map_.fail("max_views", "max_views needs area: the images that show it best are taken");
     }
     const double most = map_.number("max_views");
-    constexpr double kMost = 100.0;
-    if (most != std::floor(most) || most < 2.0 || most > kMost) {
+    constexpr double kMaxViews = 100.0;
+    if (most != std::floor(most) || most < 2.0 || most > kMaxViews) {
       map_.fail("max_views",
-                fmt::format("max_views = {}; must be a whole number, 2 to {}", most, kMost));
+                fmt::format("max_views = {}; must be a whole number, 2 to {}", most, kMaxViews));
     }
     patch.max_views = static_cast<std::size_t>(most);
   }

@@ -104,11 +104,11 @@ void check_segment(const EdgeSegment& segment, const std::string& where) {
   positive("sigma_q_px", segment.line.sigma_q_px);
   positive("sigma_phi_rad", segment.line.sigma_phi_rad);
   positive("sigma_e_px", segment.line.sigma_e_px);
-  constexpr double kWidest_px = 8.0;
+  constexpr double kMaxScale_px = 8.0;
   const double scale_px = segment.scale_px;
-  if (!(scale_px >= 1.0 && scale_px <= kWidest_px && scale_px == std::floor(scale_px))) {
+  if (!(scale_px >= 1.0 && scale_px <= kMaxScale_px && scale_px == std::floor(scale_px))) {
     throw IoError(where, fmt::format("{} = {}, must be a whole number from 1 to {}", kScale,
-                                     scale_px, kWidest_px));
+                                     scale_px, kMaxScale_px));
   }
 }
 

@@ -186,10 +186,10 @@ class ByteReader {
     return (number >> 1U) ^ ((number & 1U) != 0 ? ~std::uint64_t{0} : 0);
   }
   std::uint64_t varint() {
-    constexpr unsigned kMostBits = 63;
+    constexpr unsigned kMaxShift = 63;
     std::uint64_t number = 0;
     for (unsigned shift = 0;; shift += 7) {
-      check(shift <= kMostBits, "part: a number of more than 64 bits, must be no more");
+      check(shift <= kMaxShift, "part: a number of more than 64 bits, must be no more");
       std::uint8_t byte = 0;
       (*this)(byte);
       number |= std::uint64_t{byte & 0x7fU} << shift;

@@ -203,11 +203,11 @@ const std::vector<VectorField>& vector_fields() {
   return fields;
 }
 
-constexpr std::size_t kMostInputColumns = 1900;  // of the 2000 that a table of SQLite has room for
+constexpr std::size_t kMaxInputColumns = 1900;  // of the 2000 that a table of SQLite has room for
 
 std::vector<Column> input_columns(const io::LineSet& set, const std::vector<LineField>& fields) {
   std::vector<Column> columns = renamed(set.features.columns, columns_of(fields));
-  if (columns.size() > kMostInputColumns) columns.resize(kMostInputColumns);
+  if (columns.size() > kMaxInputColumns) columns.resize(kMaxInputColumns);
   return columns;
 }
 
@@ -310,8 +310,8 @@ MapSchema map_schema_named(const std::string& name) {
 
 std::string left_out_of_map(const io::LineSet& set) {
   const std::size_t n = set.features.columns.size();
-  if (n <= kMostInputColumns) return "";
-  return fmt::format("the map has room for the first {} of its {} columns", kMostInputColumns, n);
+  if (n <= kMaxInputColumns) return "";
+  return fmt::format("the map has room for the first {} of its {} columns", kMaxInputColumns, n);
 }
 
 void write_judged_map(const std::string& path,

@@ -69,7 +69,7 @@ void refuse_varying_scale(const std::string& path,
     throw io::IoError(path, fmt::format("{}; project lines and cloud, for instance to {}", why,
                                         io::utm_zone_text(crs, middle)));
   };
-  if (std::abs(middle.skew) > io::kMostScaleError) {
+  if (std::abs(middle.skew) > io::kMaxScaleError) {
     refuse("the axes of the plan are not at right angles on the ground, so no scale makes it true");
   }
   for (const double x : {kCut, 1.0 - kCut}) {
@@ -77,7 +77,7 @@ void refuse_varying_scale(const std::string& path,
       const auto scale = io::grid_scale(crs, places.quantile(x, y));
       if (!scale) continue;
       const Eigen::Array2d ratio = scale->scale.array() / middle.scale.array();
-      if (((ratio - 1.0).abs() <= io::kMostScaleError).all()) continue;
+      if (((ratio - 1.0).abs() <= io::kMaxScaleError).all()) continue;
       refuse(fmt::format("the lines cover so much that the scale of the plan differs by {:.2g} %",
                          100.0 * (ratio - 1.0).abs().maxCoeff()));
     }

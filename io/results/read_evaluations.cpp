@@ -85,9 +85,9 @@ class TableOfRun {
 /// The evaluation files of a folder, found by their names and sorted by path. They are not read yet.
 std::vector<FoundEvaluation> evaluation_files(const fs::path& folder) {
   std::vector<FoundEvaluation> files;
-  constexpr int kDeepest = 1;  // DIR/PATCH/evaluation.METHOD.json
+  constexpr int kMaxDepth = 1;  // DIR/PATCH/evaluation.METHOD.json
   for (auto it = fs::recursive_directory_iterator(folder); it != fs::end(it); ++it) {
-    if (it.depth() >= kDeepest) it.disable_recursion_pending();
+    if (it.depth() >= kMaxDepth) it.disable_recursion_pending();
     const std::string name = it->path().filename().string();
     if (!name.starts_with("evaluation.") || !name.ends_with(".json")) continue;
     FoundEvaluation& file = files.emplace_back();

@@ -17,7 +17,7 @@ using evaluate::ConstantShift;
 using evaluate::ShiftAxis;
 
 /// Below this a geoid that cannot be compared is not worth a word: it is more than that off the ellipsoid nearly everywhere.
-constexpr double kLeastGeoid_m = 1.0;
+constexpr double kMinGeoidShift_m = 1.0;
 
 double half_width_m(const ShiftAxis& axis) { return 0.5 * (axis.ci95_m->high - axis.ci95_m->low); }
 
@@ -32,7 +32,7 @@ std::string geoid_cause(const ConstantShift& shift, const ShiftPlace& place) {
   if (!height.shift_m || std::abs(*height.shift_m) <= half_width_m(height) + shift.accuracy_m) {
     return "";
   }
-  const bool is_large = std::abs(*height.shift_m) >= kLeastGeoid_m;
+  const bool is_large = std::abs(*height.shift_m) >= kMinGeoidShift_m;
   if (!place.crs.known()) {
     return is_large
                ? "the geoid cannot be compared, as no reference system is stated (--assume-crs)"

@@ -20,7 +20,7 @@ using evaluate::LineEvaluation;
 using evaluate::Status;
 
 /// Largest distance that is taken for an error of the line. check_frame() sets the same limit to the median.
-constexpr double kFarthestError_m = 20.0;
+constexpr double kMaxError_m = 20.0;
 
 /// Root mean square of the distances of the judged lines for which `is_counted` holds; nothing if there are none.
 template <typename Predicate>
@@ -40,12 +40,12 @@ std::optional<double> rms_m(const std::vector<LineEvaluation>& lines, const Pred
 /// too well for them. Rounding to a step moves a coordinate by 0.29 of the step (RMS), and a line across its plane by
 /// less; of the lines that it moves the farthest many are not judged.
 Eigen::Vector3d harmful_steps_m(const io::LineSet& set, const std::vector<LineEvaluation>& lines) {
-  constexpr double kLeastHarm = 0.05;
+  constexpr double kMinHarm = 0.05;
   const io::CoordinateSteps steps = io::steps_of(set, unit_m_of(set));
   Eigen::Vector3d steps_m = steps.steps_m();
   const auto rms = rms_m(lines, [](const LineEvaluation&) { return true; });
   if (!rms || steps.went_through_float32()) return steps_m;
-  return (kLeastHarm * steps_m.array() <= *rms).select(steps_m, 0.0);
+  return (kMinHarm * steps_m.array() <= *rms).select(steps_m, 0.0);
 }
 
 std::string ids_text(const std::vector<std::string>& ids) {
@@ -72,7 +72,7 @@ bool is_far_in_height(const LineEvaluation& line) {
 /// Whether the line is far off its planes and parallel to them. A line that a tool misplaces that far is seldom parallel.
 bool is_far_from_planes(const LineEvaluation& line) {
   constexpr double kParallel = 0.2;  // difference of the ends' distances over the mean distance
-  if (line.status != Status::kEvaluated || *line.mean_distance_m <= kFarthestError_m) return false;
+  if (line.status != Status::kEvaluated || *line.mean_distance_m <= kMaxError_m) return false;
   return std::ranges::all_of(line.planes, [&](const evaluate::JudgingPlane& p) {
     return std::abs(p.distance.start - p.distance.end) <= kParallel * *line.mean_distance_m;
   });
@@ -84,7 +84,7 @@ std::optional<std::string> out_of_range_text(const std::vector<LineEvaluation>& 
   return fmt::format(
       "{} of {} lines lie at one height more than {:.0f} m above or below all points around them "
       "and are not judged (out_of_range): {}; a mark for a missing height (0, -9999)?",
-      ids.size(), lines.size(), evaluate::kFarthestHeight_m, ids_text(ids));
+      ids.size(), lines.size(), evaluate::kMaxHeightOffset_m, ids_text(ids));
 }
 
 std::optional<std::string> far_text(const std::vector<LineEvaluation>& lines) {
@@ -95,7 +95,7 @@ std::optional<std::string> far_text(const std::vector<LineEvaluation>& lines) {
   return fmt::format(
       "{} of {} lines lie more than {:.0f} m beside their planes and decide the RMS, {:.3f} m with "
       "and {} without them: {}; are their heights missing, or in another unit or height system?",
-      ids.size(), lines.size(), kFarthestError_m, *all, rest ? fmt::format("{:.3f} m", *rest) : "-",
+      ids.size(), lines.size(), kMaxError_m, *all, rest ? fmt::format("{:.3f} m", *rest) : "-",
       ids_text(ids));
 }
 

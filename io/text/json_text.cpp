@@ -4,7 +4,7 @@
 namespace ridgeline::io {
 
 bool is_shallow_json(std::string_view text) {
-  constexpr int kDeepest = 64;
+  constexpr int kMaxDepth = 64;
   int depth = 0;
   bool in_string = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -14,7 +14,7 @@ bool is_shallow_json(std::string_view text) {
     if (in_string) continue;
     if (c == '[' || c == '{') ++depth;
     if (c == ']' || c == '}') --depth;
-    if (depth > kDeepest) return false;
+    if (depth > kMaxDepth) return false;
   }
   return true;
 }

@@ -48,7 +48,7 @@ std::string_view trimmed(std::string_view text) {
 std::vector<std::string> csv_fields_of(std::string_view row,
                                        char separator,
                                        const std::string& where) {
-  constexpr std::size_t kMostFields = 10'000;
+  constexpr std::size_t kMaxFields = 10'000;
   std::vector<std::string> fields(1);
   bool quoted = false;
   for (std::size_t i = 0; i < row.size(); ++i) {
@@ -59,8 +59,8 @@ std::vector<std::string> csv_fields_of(std::string_view row,
       quoted = !quoted;
     } else if (c == separator && !quoted) {
       fields.emplace_back();
-      if (fields.size() > kMostFields) {
-        throw IoError(where, fmt::format("more than {} fields", kMostFields));
+      if (fields.size() > kMaxFields) {
+        throw IoError(where, fmt::format("more than {} fields", kMaxFields));
       }
     } else {
       fields.back() += c;

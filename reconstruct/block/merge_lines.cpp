@@ -176,7 +176,7 @@ class Merger {
     const double shorter_m =
         std::min(shown_a.share() * length(segment(a)), shown_b.share() * length(segment(b)));
     const double common_m = common.share() * length(segment(a));
-    if (!(common_m > 0.0) || common_m < kLeastCommon * shorter_m) return std::nullopt;
+    if (!(common_m > 0.0) || common_m < kMinCommonShare * shorter_m) return std::nullopt;
     if (!is_within_reach(segment(a), segment(b))) return std::nullopt;
     const double difference = squared_difference(lines_[a].line, lines_[b].line);
     if (chi_square_tail(difference) < options_.significance) return std::nullopt;
@@ -261,7 +261,7 @@ class Merger {
     line.covariance_m2.block<3, 3>(3 - at, at).setZero();
   }
 
-  static constexpr double kLeastCommon = 0.5;
+  static constexpr double kMinCommonShare = 0.5;
 
   std::span<const FoundLine> lines_;
   const PatchGrid& grid_;

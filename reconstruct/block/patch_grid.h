@@ -45,8 +45,8 @@ class PatchGrid {
 
   /// The widest sliver: as wide as the overlap, at least 2 m, which no patch is worth.
   static double sliver_m(double overlap_m) {
-    constexpr double kLeast_m = 2.0;
-    return std::max(overlap_m, kLeast_m);
+    constexpr double kMinSliver_m = 2.0;
+    return std::max(overlap_m, kMinSliver_m);
   }
 
   [[nodiscard]] double size_m() const { return size_m_; }

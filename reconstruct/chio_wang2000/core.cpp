@@ -13,8 +13,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kSigmas = 3.0;       // multiple of the sigma of rates that is allowed for as noise
-constexpr int kMostCandidates = 100;  // replaces max_candidates where the look does not decide
+constexpr double kSigmas = 3.0;      // multiple of the sigma of rates that is allowed for as noise
+constexpr int kMaxCandidates = 100;  // replaces max_candidates where the look does not decide
 
 /// One left segment on its way through the screening.
 struct Screened {
@@ -138,7 +138,7 @@ std::vector<CoreCandidates> core_candidates(const SearchedPair& pair,
   const Radiometry radiometry = relative_radiometry(pair.left.segments, pair.right.segments);
   CandidateOptions wide = candidate_options;
   wide.min_epipolar_angle_deg = options.min_epipolar_angle_deg;
-  if (!beyond.by_look) wide.max_candidates = kMostCandidates;
+  if (!beyond.by_look) wide.max_candidates = kMaxCandidates;
   const Candidates found = match_candidates(pair, radiometry, wide, beyond.change_look);
   const Context context{pair, radiometry, options, beyond};
   std::vector<CoreCandidates> candidates(pair.left.segments.size());

@@ -52,8 +52,8 @@ Eigen::Matrix<double, 6, 2> by_right_line(const Segment3& line,
 }  // namespace
 
 std::optional<FittedLine> fit_line(std::span<const Eigen::Vector3d> points, double correlation) {
-  constexpr std::size_t kFewest = 3;
-  if (points.size() < kFewest) return std::nullopt;
+  constexpr std::size_t kMinPoints = 3;
+  if (points.size() < kMinPoints) return std::nullopt;
   const auto n = static_cast<double>(points.size());
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& x : points) centroid += x / n;

@@ -19,11 +19,11 @@ struct Cells {
       : low((box.min() / kCell).array().floor()), high((box.max() / kCell).array().floor()) {}
 
   [[nodiscard]] bool are_many() const {
-    constexpr double kMany = 4096.0;
-    constexpr double kFarthest = 1e15;  // beyond it cells are no integers
+    constexpr double kMaxCells = 4096.0;
+    constexpr double kMaxCoordinate = 1e15;  // beyond it cells are no integers
     const Eigen::Vector2d n = high - low + Eigen::Vector2d::Ones();
-    return !(n.prod() <= kMany) || low.cwiseAbs().maxCoeff() > kFarthest ||
-           high.cwiseAbs().maxCoeff() > kFarthest;
+    return !(n.prod() <= kMaxCells) || low.cwiseAbs().maxCoeff() > kMaxCoordinate ||
+           high.cwiseAbs().maxCoeff() > kMaxCoordinate;
   }
 
   template <typename Visitor>

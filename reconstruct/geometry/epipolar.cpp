@@ -41,10 +41,10 @@ Eigen::Vector3d point_on_plane(const ProjectionMatrix& image_from_world,
 }
 
 bool is_central_camera(const ProjectionMatrix& image_from_world) {
-  constexpr double kSmallestVolume =
+  constexpr double kMinVolume =
       1e-9;  // spanned by the rows: in pixels they differ by the focal length
   const Eigen::Matrix3d rows = image_from_world.leftCols<3>().rowwise().normalized();
-  return image_from_world.allFinite() && std::abs(rows.determinant()) > kSmallestVolume;
+  return image_from_world.allFinite() && std::abs(rows.determinant()) > kMinVolume;
 }
 
 ProjectionMatrix image_from_local(const ProjectionMatrix& image_from_world,

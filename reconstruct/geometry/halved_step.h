@@ -17,11 +17,11 @@ auto halved_step(double sum,
                  const StateAt& state_at,
                  const SumOf& sum_of,
                  double largest_share = 1.0) -> std::optional<decltype(state_at(1.0))> {
-  constexpr int kMostTries = 10;
+  constexpr int kMaxTries = 10;
   // Relative to the sum and absolute; the unit of the sum is one standard deviation squared.
   constexpr double kRounding = 1e-9;
   double share = largest_share;
-  for (int i = 0; i < kMostTries; ++i, share *= 0.5) {
+  for (int i = 0; i < kMaxTries; ++i, share *= 0.5) {
     auto state = state_at(share);
     if (sum_of(state) <= sum * (1.0 + kRounding) + kRounding) return state;
   }

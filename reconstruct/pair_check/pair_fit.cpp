@@ -107,7 +107,7 @@ std::vector<PairReading> fitting_readings(std::span<const PointMatch> points,
                                           const std::array<Eigen::Vector2i, 2>& sizes_px,
                                           const PairGeometry& geometry,
                                           double limit_px) {
-  constexpr double kLeastShare = 0.5;
+  constexpr double kMinShare = 0.5;
   constexpr double kNearlyAsGood = 0.9;
   std::vector<PairReading> readings = readings_to_try();
   std::vector<double> shares;
@@ -117,7 +117,7 @@ std::vector<PairReading> fitting_readings(std::span<const PointMatch> points,
     shares.push_back(fit_of_pair(seen, geometry, limit_px).share_that_fits);
   }
   const double least =
-      std::max(kLeastShare, kNearlyAsGood * *std::max_element(shares.begin(), shares.end()));
+      std::max(kMinShare, kNearlyAsGood * *std::max_element(shares.begin(), shares.end()));
   std::vector<PairReading> fitting;
   for (std::size_t i = 0; i < readings.size(); ++i) {
     if (shares[i] >= least) fitting.push_back(readings[i]);

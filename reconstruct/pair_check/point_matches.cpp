@@ -18,10 +18,10 @@ struct Features {
 /// A grey image reduced to half of its size; a small image is reduced less, a large one more. The points get
 /// less exact the more an image is reduced, and the time grows with the number of pixels.
 cv::Mat reduced_grey(const cv::Mat& image) {
-  constexpr double kLeastSide_px = 500.0;
-  constexpr double kLongestSide_px = 1500.0;
+  constexpr double kMinSide_px = 500.0;
+  constexpr double kMaxSide_px = 1500.0;
   const double side_px = std::max(image.cols, image.rows);
-  const double factor = std::clamp(0.5 * side_px, kLeastSide_px, kLongestSide_px) / side_px;
+  const double factor = std::clamp(0.5 * side_px, kMinSide_px, kMaxSide_px) / side_px;
   cv::Mat small = image;
   if (factor < 1.0) cv::resize(image, small, {}, factor, factor, cv::INTER_AREA);
   cv::Mat mean;
@@ -33,10 +33,10 @@ cv::Mat reduced_grey(const cv::Mat& image) {
 }
 
 Features features_of(const cv::Mat& image) {
-  constexpr int kMostPoints = 1500;  // enough for a median; the time grows with their square
+  constexpr int kMaxPoints = 1500;  // enough for a median; the time grows with their square
   const cv::Mat grey = reduced_grey(image);
   Features features;
-  cv::SIFT::create(kMostPoints)->detectAndCompute(grey, {}, features.points, features.descriptors);
+  cv::SIFT::create(kMaxPoints)->detectAndCompute(grey, {}, features.points, features.descriptors);
   features.scale = {double(image.cols) / grey.cols, double(image.rows) / grey.rows};
   return features;
 }

@@ -14,8 +14,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kLargestTurn_rad = 15.0 * kRadPerDeg;  // between a segment and its prediction
-constexpr double kShortestOverlap_px = 3.0;
+constexpr double kMaxTurn_rad = 15.0 * kRadPerDeg;  // between a segment and its prediction
+constexpr double kMinOverlap_px = 3.0;
 constexpr double kChiSquare2 = 13.816;  // 99.9 %, 2 degrees of freedom
 
 /// The search for the line of one segment.
@@ -85,12 +85,12 @@ class Search {
   /// away.
   [[nodiscard]] std::optional<std::array<double, 2>> overlap(const PredictedLine& p,
                                                              const Segment2& seen) const {
-    if (acute_angle_rad(seen, p.segment) > kLargestTurn_rad) return std::nullopt;
+    if (acute_angle_rad(seen, p.segment) > kMaxTurn_rad) return std::nullopt;
     const auto [low, high] = span_on(p.segment, seen);
     const double from = std::max(0.0, low);
     const double to = std::min(1.0, high);
     if (to - from < candidates_.min_overlap * std::min(1.0, high - low) ||
-        (to - from) * length(p.segment) < kShortestOverlap_px) {
+        (to - from) * length(p.segment) < kMinOverlap_px) {
       return std::nullopt;
     }
     return std::array{from, to};
@@ -161,7 +161,7 @@ class Search {
   /// What a view shows of a line; nothing if the line is not in its image.
   [[nodiscard]] std::optional<Answer> ask(std::size_t view, const SegmentDepth& depth) const {
     constexpr double kWindow_px = 12.0;  // to each side of the prediction, for the density
-    constexpr double kWidest_px = 40.0;
+    constexpr double kMaxReach_px = 40.0;
     constexpr double kReachSigma = 3.5;
     const PredictedLine p = predict(ends_[view], depth.heights_m);
     if (!views_.shows(view, midpoint(p.segment))) return std::nullopt;
@@ -170,7 +170,7 @@ class Search {
       reach_px = std::max(reach_px, kReachSigma * p.per_height[static_cast<std::size_t>(i)].norm() *
                                         std::sqrt(depth.cov_m2(i, i)));
     }
-    reach_px = std::min(reach_px, kWidest_px);
+    reach_px = std::min(reach_px, kMaxReach_px);
     int n_parallel = 0;
     double best_ratio = 0.0;
     Answer answer;
@@ -186,7 +186,7 @@ class Search {
       if (chi2 > kChiSquare2) continue;
       const double overlap_px = ((*at)[1] - (*at)[0]) * length(p.segment);
       const double area_px2 =
-          4.0 * reach_px * std::min(reach_px, std::tan(kLargestTurn_rad) * overlap_px);
+          4.0 * reach_px * std::min(reach_px, std::tan(kMaxTurn_rad) * overlap_px);
       const double ratio = std::exp(-0.5 * chi2 + log_look({view, segment})) * area_px2 /
                            (2.0 * std::numbers::pi * std::sqrt(cov_px2.determinant()));
       if (ratio <= best_ratio) continue;
@@ -245,7 +245,7 @@ void add_pieces(const SearchedViews& views,
                 const IsFree& is_free,
                 ProposedTrack& track) {
   constexpr double kBeside_px = 1.5;
-  constexpr double kLeastWithin = 0.7;  // share of a piece within the part that a view shows
+  constexpr double kMinShareWithin = 0.7;  // share of a piece within the part that a view shows
   const UncertainSegment2& own = views.line(track.seen[0]);
   std::vector<PredictedLine> predictions;
   std::array<double, 2> part{0.0, 1.0};
@@ -264,12 +264,12 @@ void add_pieces(const SearchedViews& views,
     }
     for (const int segment : views.by_place(v).near(whole, kBeside_px)) {
       const UncertainSegment2& line = views.line({v, segment});
-      if (!is_free({v, segment}) || acute_angle_rad(line.segment, p.segment) > kLargestTurn_rad)
+      if (!is_free({v, segment}) || acute_angle_rad(line.segment, p.segment) > kMaxTurn_rad)
         continue;
       const std::array<double, 2> span = span_on(p.segment, line.segment);
       const double within = std::min(span[1], part[1]) - std::max(span[0], part[0]);
-      if (within < kLeastWithin * (span[1] - span[0])) continue;
-      const double shortest = kShortestOverlap_px / length(p.segment);
+      if (within < kMinShareWithin * (span[1] - span[0])) continue;
+      const double shortest = kMinOverlap_px / length(p.segment);
       if (std::ranges::any_of(known, [&](const auto& k) {
             return std::min(k[1], span[1]) - std::max(k[0], span[0]) > shortest;
           })) {

@@ -48,9 +48,9 @@ struct PairCost {
 std::optional<PairCost> cost_of(const Scene& scene, const ViewPair& pair) {
   constexpr double kBest = 0.3;
   constexpr double kUsualShare = 0.3;
-  constexpr double kLeastShare = 0.1;
+  constexpr double kMinShare = 0.1;
   const auto [share, ratio] = common_place(scene, pair);
-  if (share < kLeastShare || !(ratio > 0.0)) return std::nullopt;
+  if (share < kMinShare || !(ratio > 0.0)) return std::nullopt;
   if (share < kUsualShare) return PairCost{true, -share};
   return PairCost{false, std::abs(std::log(ratio / kBest))};
 }

@@ -15,7 +15,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr std::size_t kDirections = 8;  ///< of lines, in plan
-constexpr double kLeastShare = 0.1;
+constexpr double kMinSeenShare = 0.1;
 
 /// Information on the place of a line of each direction across itself, horizontal and vertical.
 using OfDirections = std::array<Eigen::Matrix2d, kDirections>;
@@ -88,23 +88,23 @@ class Chooser {
   [[nodiscard]] std::optional<std::size_t> base() const {
     constexpr double kTenths = 10.0;
     return best([&](std::size_t i) -> std::optional<double> {
-      if (shares_[i] < kLeastShare) return std::nullopt;
+      if (shares_[i] < kMinSeenShare) return std::nullopt;
       const Eigen::Vector3d ray = (middle_ - centres_[i]).normalized();
       return -std::round(kTenths * shares_[i]) + 0.5 * (1.0 + ray.z());
     });
   }
 
   [[nodiscard]] std::optional<std::size_t> best_next() const {
-    constexpr double kMostRatio = 0.6;
+    constexpr double kMaxRatio = 0.6;
     const auto cost_within = [&](double most) {
       return [this, most](std::size_t i) -> std::optional<double> {
-        constexpr double kLeastRatio = 0.02;
+        constexpr double kMinRatio = 0.02;
         const double ratio = least_ratio(i);
-        if (shares_[i] < kLeastShare || ratio < kLeastRatio || ratio > most) return std::nullopt;
+        if (shares_[i] < kMinSeenShare || ratio < kMinRatio || ratio > most) return std::nullopt;
         return uncertainty_with(i);
       };
     };
-    const auto next = best(cost_within(kMostRatio));
+    const auto next = best(cost_within(kMaxRatio));
     return next ? next : best(cost_within(std::numeric_limits<double>::infinity()));
   }
 

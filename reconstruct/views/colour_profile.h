@@ -13,7 +13,7 @@
 namespace ridgeline::reconstruct {
 
 /// Fewer pixels than these beside a segment make no profile.
-inline constexpr std::size_t kFewestProfileSamples = 60;
+inline constexpr std::size_t kMinProfileSamples = 60;
 
 /// A pixel beside a segment.
 struct ProfileSample {

@@ -57,9 +57,9 @@ FlankMoments flank_moments(std::span<const EdgeSegment> segments) {
 
 Radiometry relative_radiometry(std::span<const EdgeSegment> left,
                                std::span<const EdgeSegment> right) {
-  constexpr std::size_t kFewest = 10;
+  constexpr std::size_t kMinSegments = 10;
   Radiometry radiometry;
-  if (left.size() < kFewest || right.size() < kFewest) return radiometry;
+  if (left.size() < kMinSegments || right.size() < kMinSegments) return radiometry;
   const FlankMoments a = flank_moments(left);
   const FlankMoments b = flank_moments(right);
   for (int band = 0; band < kMaxBands; ++band) {

@@ -8,7 +8,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kAlongStep_px = 1.5;
-constexpr int kFewestAlong = 4;
+constexpr int kMinSamplesAlong = 4;
 /// Variance of the grey values that noise causes. It keeps noise from being correlated.
 constexpr double kNoiseVariance = 0.008 * 0.008;
 
@@ -64,7 +64,7 @@ StripFrame strip_frame(const EdgePair& edges, int most_along) {
   StripFrame frame;
   frame.scale_px = std::max(left.scale_px, right.scale_px);
   const int n = std::clamp(static_cast<int>(length_px / (kAlongStep_px * frame.scale_px)),
-                           kFewestAlong, most_along);
+                           kMinSamplesAlong, most_along);
   for (int i = 0; i < n; ++i) {
     const double share = (i + 0.5) / n;
     const double on_left = overlap.on_left[0] + share * overlap.share_of_left();

@@ -40,14 +40,14 @@ double epipolar_crossing(const Segment2& base,
 /// fragments as partners would give each of their lines its whole length.
 void clip_to_partner(ObservedTrack& track, const Eigen::Matrix3d& partner_from_base) {
   // Share of the segment; the epipolar lines run along it if the part is shorter.
-  constexpr double kShortest = 0.02;
+  constexpr double kMinShare = 0.02;
   const Segment2 base = track[0].segment;
   const auto [low, high] =
       std::minmax({epipolar_crossing(base, track[1].segment.start, partner_from_base),
                    epipolar_crossing(base, track[1].segment.end, partner_from_base)});
   const double from = std::max(0.0, low);
   const double to = std::min(1.0, high);
-  if (!(to - from > kShortest)) return;
+  if (!(to - from > kMinShare)) return;
   track[0].segment = {base.start + from * (base.end - base.start),
                       base.start + to * (base.end - base.start)};
 }

@@ -73,8 +73,8 @@ std::vector<BuildingRow> rows_of(const ModelSurvey& survey) {
 class ExactModels : public testing::TestWithParam<double> {};
 
 TEST_P(ExactModels, AreRight) {
-  constexpr double kLeastRight = 0.98;
-  constexpr double kLargest90_m = 0.15;  // noise of the scan and some points of chimneys
+  constexpr double kMinRightShare = 0.98;
+  constexpr double kMaxP90_m = 0.15;  // noise of the scan and some points of chimneys
   int n = 0, n_right = 0;
   for (int i = 0; i < kSeeds; ++i) {
     const ScanCase scan{GetParam(), i % 2 == 0, i % 4 < 2 ? 5.0 : 10.0};
@@ -82,10 +82,10 @@ TEST_P(ExactModels, AreRight) {
          rows_of(survey_of(kFirstSeed + static_cast<std::uint64_t>(i), scan))) {
       ++n;
       n_right += row.verdict == BuildingVerdict::kRight ? 1 : 0;
-      EXPECT_LT(row.points_p90_m.value_or(0.0), kLargest90_m) << row.id;
+      EXPECT_LT(row.points_p90_m.value_or(0.0), kMaxP90_m) << row.id;
     }
   }
-  EXPECT_GE(n_right, kLeastRight * n) << n;
+  EXPECT_GE(n_right, kMinRightShare * n) << n;
 }
 
 INSTANTIATE_TEST_SUITE_P(HalfScanAngles, ExactModels, testing::Values(2.0, 20.0, 30.0));
@@ -151,7 +151,7 @@ struct WrongFace {
 class OneWrongFace : public testing::TestWithParam<WrongFace> {};
 
 TEST_P(OneWrongFace, IsFoundAndTheOthersAreRight) {
-  constexpr double kLeastArea_m2 = 20.0, kLeastFound = 0.95, kMostOthersWrong = 0.02;
+  constexpr double kMinArea_m2 = 20.0, kMinFoundShare = 0.95, kMaxOthersWrongShare = 0.02;
   constexpr ScanCase kScan{20.0, true, 5.0};
   int n = 0, n_found = 0, n_others = 0, n_others_wrong = 0;
   for (int i = 0; i < kSeeds; ++i) {
@@ -161,7 +161,7 @@ TEST_P(OneWrongFace, IsFoundAndTheOthersAreRight) {
       std::vector<RoofFace>& faces = survey.buildings[b].faces;
       for (std::size_t f = 0; f < faces.size() && !changed[b]; ++f) {
         const auto eave = eave_of(faces[f]);
-        if (!eave || faces[f].area_m2 < kLeastArea_m2) continue;
+        if (!eave || faces[f].area_m2 < kMinArea_m2) continue;
         faces[f] = GetParam().change(faces[f], *eave, (b + f) % 2 == 0 ? 1.0 : -1.0);
         changed[b] = f;
       }
@@ -178,8 +178,8 @@ TEST_P(OneWrongFace, IsFoundAndTheOthersAreRight) {
       }
     }
   }
-  EXPECT_GE(n_found, kLeastFound * n) << n;
-  EXPECT_LE(n_others_wrong, kMostOthersWrong * n_others) << n_others;
+  EXPECT_GE(n_found, kMinFoundShare * n) << n;
+  EXPECT_LE(n_others_wrong, kMaxOthersWrongShare * n_others) << n_others;
   RecordProperty("found", std::to_string(n_found) + "/" + std::to_string(n));
 }
 

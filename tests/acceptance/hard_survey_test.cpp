@@ -45,7 +45,7 @@ TEST_P(HardSurveyOf, HasLinesOfAllKindsWithAsManyPlanes) {
 }
 
 TEST_P(HardSurveyOf, LaserReturnsLieOnTheSurfaces) {
-  constexpr double kLeastShare = 0.95;  // trees and narrow tops hide some
+  constexpr double kMinShare = 0.95;  // trees and narrow tops hide some
   const HardSurvey survey = hard_survey(kTrainingSeed, 20.0, GetParam());
   int n_lines = 0, n_seen = 0;
   for (const HardLine& line : survey.lines) {
@@ -53,7 +53,7 @@ TEST_P(HardSurveyOf, LaserReturnsLieOnTheSurfaces) {
     ++n_lines;
     n_seen += *std::min_element(line.returns.begin(), line.returns.end()) >= 12 ? 1 : 0;
   }
-  EXPECT_GE(n_seen, kLeastShare * n_lines);
+  EXPECT_GE(n_seen, kMinShare * n_lines);
 }
 
 INSTANTIATE_TEST_SUITE_P(BothRenderers,

@@ -160,7 +160,7 @@ TEST_F(OtherScenes, AreReconstructedAsWellAsSimulatedVillages) {
 /// change where it says that they do. Where they change more beside an edge of a roof, there is a
 /// gutter, the border of a shadow or the foot of a wall.
 TEST_F(OtherScenes, ChangeWhereTheirTrueEdgesAre) {
-  constexpr double kReach_px = 2.5, kNear_px = 0.5, kLeastContrast_grey = 6.0;
+  constexpr double kReach_px = 2.5, kNear_px = 0.5, kMinContrast_grey = 6.0;
   const fs::path scene = make_scene(kFirstSeed);
   const auto edges = std::get<std::vector<io::ReferenceEdge>>(
       io::read_reference_matches((scene / "matches.csv").string()));
@@ -172,7 +172,7 @@ TEST_F(OtherScenes, ChangeWhereTheirTrueEdgesAre) {
     for (std::size_t i = 0; i < 2; ++i) {
       const Segment2& segment = i == 0 ? edge.left : edge.right;
       const auto profile = other::edge_profile(images[i], segment, kReach_px);
-      if (!profile || profile->contrast_grey < kLeastContrast_grey) continue;
+      if (!profile || profile->contrast_grey < kMinContrast_grey) continue;
       n += 1.0;
       if (std::abs(profile->offset_px) <= kNear_px) n_near += 1.0;
     }

@@ -93,18 +93,18 @@ void record(const std::string& name, const Tally& tally) {
 class RidgeParts : public testing::TestWithParam<Eigen::Vector3d> {};
 
 TEST_P(RidgeParts, AreThoseOfTheMovement) {
-  constexpr double kLeastWithin3Cm_percent = 95.0;
-  constexpr double kLeastCovered_percent = 92.0, kMostCovered_percent = 98.0;
+  constexpr double kMinWithin3Cm_percent = 95.0;
+  constexpr double kMinCoverage_percent = 92.0, kMaxCoverage_percent = 98.0;
   constexpr int kEnough = 150;  // a share of 95 % is then known to 1.8 %
   const Tallies tallies = judge_villages(GetParam());
   record("steep", tallies.steep);
   record("flat", tallies.flat);
   ASSERT_GE(tallies.steep.n, kEnough);
   ASSERT_GE(tallies.flat.n, kEnough);
-  EXPECT_GE(tallies.steep.percent(tallies.steep.n_within_3_cm), kLeastWithin3Cm_percent);
+  EXPECT_GE(tallies.steep.percent(tallies.steep.n_within_3_cm), kMinWithin3Cm_percent);
   for (const int n : tallies.flat.n_covered) {
-    EXPECT_GE(tallies.flat.percent(n), kLeastCovered_percent);
-    EXPECT_LE(tallies.flat.percent(n), kMostCovered_percent);
+    EXPECT_GE(tallies.flat.percent(n), kMinCoverage_percent);
+    EXPECT_LE(tallies.flat.percent(n), kMaxCoverage_percent);
   }
 }
 

@@ -31,7 +31,7 @@ struct Town {
 };
 
 Town make_town(std::size_t n_points) {
-  constexpr std::size_t kMostLines = 200;
+  constexpr std::size_t kMaxLines = 200;
   const test::SampledRoof roof;
   const std::vector<Eigen::Vector3d> house = roof.sample(kDensity_per_m2, kSigma_m, 1);
   const Eigen::Vector3d ridge(roof.length_m, 0.0, 0.0);
@@ -43,7 +43,7 @@ Town make_town(std::size_t n_points) {
     const Eigen::Vector3d place(30.0 * static_cast<double>(h % columns),
                                 30.0 * static_cast<double>(h / columns), 0.0);
     for (const Eigen::Vector3d& x : house) town.points.emplace_back(x + place);
-    if (town.lines.size() >= kMostLines) continue;
+    if (town.lines.size() >= kMaxLines) continue;
     for (const Eigen::Vector3d& start :
          {Eigen::Vector3d(0.0, 0.0, roof.ridge_height_m()),
           Eigen::Vector3d(0.0, roof.half_width_m, roof.eave_height_m)}) {

@@ -51,8 +51,8 @@ class Block : public OrientedPatch {
 
   /// Lines have their midpoint in the area, and image segments where the whole frames show the lines.
   void expect_lines_of_the_area(const std::string& lines) const {
-    constexpr double kNear_px = 3.0;  // a forgotten corner of a window is ten times that
-    constexpr double kMost = 0.9;     // some segments are longer than their line
+    constexpr double kNear_px = 3.0;       // a forgotten corner of a window is ten times that
+    constexpr double kMinNearShare = 0.9;  // some segments are longer than their line
     const io::PatchFile patch = io::read_patch(path("patch/patch.yaml").string());
     std::size_t n = 0, n_near = 0;
     const Eigen::AlignedBox2d area_m(Eigen::Vector2d(513004, 5403004),
@@ -69,7 +69,7 @@ class Block : public OrientedPatch {
       }
     }
     EXPECT_GT(n, 100U);
-    EXPECT_GT(static_cast<double>(n_near), kMost * static_cast<double>(n)) << "of " << n;
+    EXPECT_GT(static_cast<double>(n_near), kMinNearShare * static_cast<double>(n)) << "of " << n;
   }
 
   /// True lines that a neighbour found count for the square that they belong to.

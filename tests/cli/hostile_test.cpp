@@ -12,8 +12,8 @@ using ::testing::AllOf;
 using ::testing::AnyOf;
 using ::testing::HasSubstr;
 
-constexpr double kMostSeconds = test::kIsSanitized ? 60.0 : 5.0;
-constexpr double kMostMemory_mib = test::kIsSanitized ? 4096.0 : 512.0;
+constexpr double kMaxTime_s = test::kIsSanitized ? 60.0 : 5.0;
+constexpr double kMaxMemory_mib = test::kIsSanitized ? 4096.0 : 512.0;
 
 class Hostile : public Cli {
  protected:
@@ -29,8 +29,8 @@ class Hostile : public Cli {
   static void expect_in_bounds(const ProgramResult& result, const std::string& what) {
     EXPECT_THAT(result.exit_code, AnyOf(0, 1)) << what << ": " << result.err;
     EXPECT_TRUE(result.exit_code == 0 || is_refusal(result)) << what;
-    EXPECT_LT(result.processor_s, kMostSeconds) << what;
-    EXPECT_LT(result.peak_memory_mib, kMostMemory_mib) << what;
+    EXPECT_LT(result.processor_s, kMaxTime_s) << what;
+    EXPECT_LT(result.peak_memory_mib, kMaxMemory_mib) << what;
   }
 
   /// A line of the scene and one with an end at (x, y, z).

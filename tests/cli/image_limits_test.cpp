@@ -13,8 +13,8 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 // Limits for the start of the program and the reading of a header, since nothing is decoded.
-constexpr double kMostSecondsOfImage = test::kIsSanitized ? 30.0 : 3.0;
-constexpr double kMostMemoryOfImage_mib = test::kIsSanitized ? 2048.0 : 256.0;
+constexpr double kMaxImageTime_s = test::kIsSanitized ? 30.0 : 3.0;
+constexpr double kMaxImageMemory_mib = test::kIsSanitized ? 2048.0 : 256.0;
 
 class ImageLimits : public Cli {
  protected:
@@ -22,8 +22,8 @@ class ImageLimits : public Cli {
   void expect_refused_at_once(const std::string& file, const std::string& why) const {
     const ProgramResult result = run({"extract", file, "--out", "segments.csv"});
     EXPECT_REFUSED(result, AllOf(HasSubstr(file), HasSubstr(why)));
-    EXPECT_LT(result.processor_s, kMostSecondsOfImage) << file;
-    EXPECT_LT(result.peak_memory_mib, kMostMemoryOfImage_mib) << file;
+    EXPECT_LT(result.processor_s, kMaxImageTime_s) << file;
+    EXPECT_LT(result.peak_memory_mib, kMaxImageMemory_mib) << file;
   }
 
   void write_flat(const std::string& name, int side_px) const {

@@ -99,11 +99,11 @@ TEST_F(JudgedMap, NamesTheKindsOfRoofEdges) {
     return std::stoi(text.substr(text.find("n (Integer) = ") + 14));
   };
   // valleys and hips of a roof with dormers meet planes of few points
-  constexpr double kLeastRight = 0.95;
+  constexpr double kMinRightShare = 0.95;
   for (const std::string kind : {"ridge", "valley", "hip", "eave", "verge"}) {
     const std::string judged =
         "status = 'evaluated' AND kind != 'step' AND kind_in = '" + kind + "'";
-    EXPECT_GE(n(judged + " AND kind = '" + kind + "'"), kLeastRight * n(judged)) << kind;
+    EXPECT_GE(n(judged + " AND kind = '" + kind + "'"), kMinRightShare * n(judged)) << kind;
   }
   EXPECT_EQ(n("kind = 'ridge' AND objtype != 'M\xC3\xB8nelinje'"), 0);
   EXPECT_EQ(n("status = 'evaluated' AND \"n\xC3\xB8yaktighet\" IS NULL"), 0);

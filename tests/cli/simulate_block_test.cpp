@@ -173,8 +173,8 @@ TEST_F(SimulateBlock, ShowsEveryPointOfItsAreaInTwoFramesOrMore) {
 
 /// True lines are where the frames have edges, by the cameras that a reader of the orientation gets.
 TEST_F(SimulateBlock, DrawsTheTrueLinesWhereItsOrientationSaysThatTheyAre) {
-  constexpr double kLeastChange = 15.0;  // grey values; a roof may look like its garden
-  constexpr double kShortest_px = 25.0;
+  constexpr double kMinChange = 15.0;  // grey values; a roof may look like its garden
+  constexpr double kMinLength_px = 25.0;
   const fs::path block = made_once();
   const io::LineSet truth = io::read_lines((block / "truth.geojson").string());
   int n_drawn = 0;
@@ -189,9 +189,9 @@ TEST_F(SimulateBlock, DrawsTheTrueLinesWhereItsOrientationSaysThatTheyAre) {
           std::array{line_px.start, line_px.end}, [](const Eigen::Vector2d& x_px) {
             return (x_px.array() > 8.0).all() && x_px.x() < 690.0 && x_px.y() < 590.0;
           });
-      if (!is_inside || length(line_px) < kShortest_px) continue;
+      if (!is_inside || length(line_px) < kMinLength_px) continue;
       const SteepestPlace steepest = steepest_beside(grey, line_px);
-      if (steepest.change < kLeastChange) continue;
+      if (steepest.change < kMinChange) continue;
       ++n_drawn;
       n_in_place += std::abs(steepest.beside_px) <= 1 ? 1 : 0;
     }

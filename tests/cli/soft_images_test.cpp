@@ -64,8 +64,9 @@ TEST_F(SoftPatch, LinesLieWhereTheirImagesShowThem) {
                                    0.5 * (ends[0][1].get<double>() + ends[1][1].get<double>()),
                                    0.5 * (ends[0][2].get<double>() + ends[1][2].get<double>()));
       // The line is a compromise of both images; pixels of the reduced image would be hundreds of pixels away.
-      constexpr double kMost_px = 10.0;
-      EXPECT_LT(distance(seen, project(cameras[image], middle)), kMost_px) << line["properties"];
+      constexpr double kMaxDistance_px = 10.0;
+      EXPECT_LT(distance(seen, project(cameras[image], middle)), kMaxDistance_px)
+          << line["properties"];
     }
     ++n_seen;
   }
@@ -89,7 +90,7 @@ double covered_share(const io::CsvTable& marks,
                      const io::CsvTable& segments,
                      const Eigen::Vector2d& corner_px) {
   constexpr double kBeside_px = 4.0;  // the marks are right to a few pixels
-  constexpr double kMostTurn_rad = 0.035;
+  constexpr double kMaxTurn_rad = 0.035;
   constexpr int kSamples = 400;
   const auto segment_of = [](const io::CsvTable& table, std::size_t row,
                              const std::string& prefix) {
@@ -107,7 +108,7 @@ double covered_share(const io::CsvTable& marks,
     for (std::size_t i = 0; i < segments.size(); ++i) {
       Segment2 s = segment_of(segments, i, "image_");
       s = {s.start + corner_px, s.end + corner_px};
-      if (acute_angle_rad(mark, s) > kMostTurn_rad) continue;
+      if (acute_angle_rad(mark, s) > kMaxTurn_rad) continue;
       for (int k = 0; k < kSamples; ++k) {
         const Eigen::Vector2d x = point_at(mark, (k + 0.5) / kSamples);
         const double t = parameter_along(s, x);

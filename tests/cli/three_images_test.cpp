@@ -292,9 +292,9 @@ TEST_F(ThreeImagesReport, NamesTheSegmentsOfTheTracks) {
       const double y = 0.5 * (sighting[2][1].get<double>() + sighting[2][3].get<double>());
       const double dx = row[3] - row[1];
       const double dy = row[4] - row[2];
-      constexpr double kMostMoved_px = 2.0;
+      constexpr double kMaxOffset_px = 2.0;
       EXPECT_LT(std::abs(dx * (y - row[2]) - dy * (x - row[1])) / std::hypot(dx, dy),
-                kMostMoved_px);
+                kMaxOffset_px);
     }
   }
   EXPECT_GT(n_known, 50U);

@@ -24,7 +24,7 @@ using test::ProgramResult;
 /// Of one command. The sanitizers make a run some ten times slower.
 constexpr unsigned kProcessorLimit_s = test::kIsSanitized ? 100 : 10;
 /// For files that are all far below 10 MB.
-constexpr double kMostMemory_mib = test::kIsSanitized ? 4096.0 : 512.0;
+constexpr double kMaxMemory_mib = test::kIsSanitized ? 4096.0 : 512.0;
 /// How many files ctest mutates. Longer runs: RIDGELINE_MUTATIONS=FIRST,COUNT.
 constexpr std::size_t kMutations = 150;
 
@@ -103,7 +103,7 @@ testing::AssertionResult is_in_order(const ProgramResult& result) {
   if (result.exit_code == 128 + SIGXCPU) return fault("took more processor time than the limit");
   if (result.exit_code > 128) return fault(fmt::format("signal {}", result.exit_code - 128));
   if (result.exit_code == 2) return fault("internal error");
-  if (result.peak_memory_mib > kMostMemory_mib) {
+  if (result.peak_memory_mib > kMaxMemory_mib) {
     return fault(fmt::format("took {:.0f} MiB", result.peak_memory_mib));
   }
   if (result.exit_code != 1) return testing::AssertionSuccess();

@@ -53,9 +53,9 @@ std::vector<cv::Vec3d> mean_profile(const cv::Mat& image, const Segment2& segmen
 std::optional<EdgeProfile> edge_profile(const cv::Mat& image,
                                         const Segment2& segment,
                                         double reach_px) {
-  constexpr double kShortest_px = 20.0;
+  constexpr double kMinLength_px = 20.0;
   constexpr int kHalf = 2;  // of the pixel over which colours are compared, in steps
-  if (length(segment) < kShortest_px) return std::nullopt;
+  if (length(segment) < kMinLength_px) return std::nullopt;
   const int reach = static_cast<int>(reach_px / kStep_px);
   const std::vector<cv::Vec3d> profile = mean_profile(image, segment, reach + kHalf);
   if (profile.empty()) return std::nullopt;

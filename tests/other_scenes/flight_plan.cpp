@@ -8,7 +8,7 @@
 namespace ridgeline::other {
 
 FlightPlan flight_plan(const std::string& text) {
-  constexpr int kMostViews = 12;
+  constexpr int kMaxViews = 12;
   // Three digits are enough to say that a number is too large, and none of them overflows.
   static const std::regex pattern("strip:([0-9]{1,3})(?:,cross:([0-9]{1,3}))?");
   std::smatch numbers;
@@ -19,7 +19,7 @@ FlightPlan flight_plan(const std::string& text) {
   check(plan.strip >= 2, "views = ", text, ", must have at least 2 in the strip");
   check(!has_cross || plan.cross >= 1, "views = ", text,
         ", must have at least 1 in the cross strip");
-  check(plan.strip + plan.cross <= kMostViews, "views = ", text, ", must be at most ", kMostViews,
+  check(plan.strip + plan.cross <= kMaxViews, "views = ", text, ", must be at most ", kMaxViews,
         " in all");
   return plan;
 }

@@ -63,7 +63,7 @@ void add_borders(const Scene& scene,
                  const Segment3& edge,
                  int face,
                  std::vector<Edge>& borders) {
-  constexpr double kStep_m = 0.05, kBeside_m = 0.05, kLargestGap_m = 0.3;
+  constexpr double kStep_m = 0.05, kBeside_m = 0.05, kMaxGap_m = 0.3;
   Vector3d normal = normal_of(scene.faces[face]);
   const double cosine = normal.dot(scene.to_sun);
   if (std::abs(cosine) < 0.05) return;
@@ -86,7 +86,7 @@ void add_borders(const Scene& scene,
   for (int i = 0; i < n; ++i) {
     const double t = (i + 0.5) / n;
     const Vector3d x = point_at(shadow, t);
-    if (from >= 0.0 && (t - to) * length(shadow) > kLargestGap_m) end_run();
+    if (from >= 0.0 && (t - to) * length(shadow) > kMaxGap_m) end_run();
     if (!is_on_face(tracer, face, x, normal)) continue;
     if (!is_border(scene, tracer, x, beside, normal)) continue;
     if (from < 0.0) from = t;

@@ -42,10 +42,10 @@ bool is_wall(const Face& face) {
 }
 
 bool rises_from(const Face& wall, const Segment3& segment) {
-  constexpr double kLeast_m = 0.1;
+  constexpr double kMinRise_m = 0.1;
   double top_m = -std::numeric_limits<double>::infinity();
   for (const Vector3d& corner : wall.corners) top_m = std::max(top_m, corner.z());
-  return top_m > std::max(segment.start.z(), segment.end.z()) + kLeast_m;
+  return top_m > std::max(segment.start.z(), segment.end.z()) + kMinRise_m;
 }
 
 /// Distance between the longer sides of a rectangle.
@@ -56,10 +56,10 @@ double width_m(const Face& face) {
 
 /// `face`: one that the edge lies on.
 std::string kind_on(const Face& face, bool is_foot, const std::string& kind) {
-  constexpr double kNarrowest_m = 0.15;  // narrower tops are those of fences
+  constexpr double kMinWidth_m = 0.15;  // narrower tops are those of fences
   if (is_foot) return "foot";
   if (kind == "car" || kind == "chimney") return "object";
-  if (kind == "fence") return width_m(face) >= kNarrowest_m ? "wall_top" : "object";
+  if (kind == "fence") return width_m(face) >= kMinWidth_m ? "wall_top" : "object";
   return kind;
 }
 
@@ -122,12 +122,12 @@ std::optional<SurfaceLine> with_surfaces(const Scene& scene, const Edge& edge) {
 }
 
 std::vector<SurfaceLine> surface_lines(const Scene& scene, const RayTracer& tracer) {
-  constexpr double kShortest_m = 0.5;
+  constexpr double kMinStretchLength_m = 0.5;
   std::vector<std::optional<SurfaceLine>> found(scene.edges.size());
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
     const Edge& edge = scene.edges[i];
     const Segment3 stretch = seen_stretch(scene, tracer, edge);
-    if (length(stretch) < kShortest_m || !is_in_patch(scene, stretch)) return;
+    if (length(stretch) < kMinStretchLength_m || !is_in_patch(scene, stretch)) return;
     found[i] = with_surfaces(scene, {stretch, edge.kind});
   });
   std::vector<SurfaceLine> lines;

@@ -76,12 +76,12 @@ std::vector<Seen> seen_of(const Scene& scene,
 /// Whether both images show enough of an edge to tell where it is. What other images show of it
 /// does not count: the rule is the same for each pair.
 bool do_show(const Seen& a, const Seen& b) {
-  constexpr double kShortest_px = 6.0, kLeastShare = 0.25;
-  if (length(a.in_px) < kShortest_px || length(b.in_px) < kShortest_px) return false;
+  constexpr double kMinLength_px = 6.0, kMinShare = 0.25;
+  if (length(a.in_px) < kMinLength_px || length(b.in_px) < kMinLength_px) return false;
   Extent extent;
   extent.add(a);
   extent.add(b);
-  return extent.share(a) >= kLeastShare && extent.share(b) >= kLeastShare;
+  return extent.share(a) >= kMinShare && extent.share(b) >= kMinShare;
 }
 
 std::vector<std::size_t> views_in_pairs(const std::vector<Seen>& seen) {

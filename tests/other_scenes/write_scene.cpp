@@ -35,8 +35,9 @@ bool is_roof_kind(const std::string& kind) {
 
 /// Roof lines too short to be asked for are called fittings.
 std::string reference_kind(const Edge& edge) {
-  constexpr double kShortest_m = 1.5;
-  return is_roof_kind(edge.kind) && length(edge.segment) < kShortest_m ? "fitting" : edge.kind;
+  constexpr double kMinRoofEdgeLength_m = 1.5;
+  return is_roof_kind(edge.kind) && length(edge.segment) < kMinRoofEdgeLength_m ? "fitting"
+                                                                                : edge.kind;
 }
 
 /// What the first two images show; an edge has the number of its true line.

@@ -36,7 +36,7 @@ Json box_json(const Eigen::AlignedBox2d& box, const Eigen::Vector2d& origin_m) {
 /// Numbers in steps of a range, as many as 16 bits count.
 class Steps {
  public:
-  static constexpr double kMost = std::numeric_limits<std::uint16_t>::max();
+  static constexpr double kMaxSteps = std::numeric_limits<std::uint16_t>::max();
 
   void take(const Eigen::Vector2d& x) { box_.extend(x); }
   [[nodiscard]] std::uint16_t step_of(const Eigen::Vector2d& x, Eigen::Index axis) const {
@@ -48,7 +48,7 @@ class Steps {
   }
 
  private:
-  [[nodiscard]] Eigen::Vector2d step_m() const { return (box_.sizes() / kMost).cwiseMax(1e-9); }
+  [[nodiscard]] Eigen::Vector2d step_m() const { return (box_.sizes() / kMaxSteps).cwiseMax(1e-9); }
   Eigen::AlignedBox2d box_;
 };
 

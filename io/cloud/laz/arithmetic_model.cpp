@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint32_t kMaxBitCount = 1U << BitModel::kShift;
 constexpr std::uint32_t kMaxSymbolCount = 1U << SymbolModel::kShift;
 constexpr std::uint32_t kMaxBitCycle = 64;
-constexpr std::uint32_t kLargestAlphabetWithoutLookup = 16;
+constexpr std::uint32_t kMaxSymbolsWithoutLookup = 16;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ void BitModel::update() {
 
 void SymbolModel::build() {
   std::size_t lookup_size = 0;
-  if (num_symbols_ > kLargestAlphabetWithoutLookup) {
+  if (num_symbols_ > kMaxSymbolsWithoutLookup) {
     lookup_bits_ = 3;
     while (num_symbols_ > (1U << (lookup_bits_ + 2))) ++lookup_bits_;
     lookup_size = (1U << lookup_bits_) + 2;

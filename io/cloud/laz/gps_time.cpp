@@ -17,9 +17,9 @@ constexpr unsigned kFirstStep = 0;
 constexpr unsigned kSameStep = 1;
 constexpr unsigned kSmallMultiple = 2;
 constexpr unsigned kLargeMultiple = 3;
-constexpr unsigned kLargestMultiple = 4;
+constexpr unsigned kAtMaxMultiple = 4;
 constexpr unsigned kNegativeMultiple = 5;
-constexpr unsigned kSmallestMultiple = 6;
+constexpr unsigned kAtMinMultiple = 6;
 constexpr unsigned kUnlike = 7;
 constexpr unsigned kHighHalf = 8;
 
@@ -104,12 +104,12 @@ void GpsTimeSequences::decode_difference(ArithmeticDecoder& decoder, std::uint32
   } else if (multiple < kMaxMultiple) {
     difference = predict(factor, multiple < 10 ? kSmallMultiple : kLargeMultiple);
   } else if (multiple == kMaxMultiple) {
-    difference = predict(factor, kLargestMultiple);
+    difference = predict(factor, kAtMaxMultiple);
     keep_step_if_unlike_often(difference);
   } else if (multiple < kMinMultiple) {
     difference = predict(static_cast<std::int32_t>(kMaxMultiple) - factor, kNegativeMultiple);
   } else {
-    difference = predict(static_cast<std::int32_t>(kMaxMultiple) - factor, kSmallestMultiple);
+    difference = predict(static_cast<std::int32_t>(kMaxMultiple) - factor, kAtMinMultiple);
     keep_step_if_unlike_often(difference);
   }
   sequence.time += static_cast<std::uint64_t>(std::int64_t{difference});

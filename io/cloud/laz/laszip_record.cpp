@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kFixedSize = 34;
 constexpr std::size_t kItemSize = 6;
 // Each extra byte has models of its own, about 1.5 KiB; files in use have some ten of them.
-constexpr std::uint16_t kMostExtraBytes = 8192;
+constexpr std::uint16_t kMaxExtraBytes = 8192;
 
 struct ItemRule {
   ItemType type;
@@ -57,9 +57,9 @@ Item read_item(const std::byte* entry, std::size_t index, const std::string& pat
     throw IoError(path, fmt::format("LASzip item {} has size {}; must be {}", rule->name, item.size,
                                     rule->size == 0 ? "above 0" : std::to_string(rule->size)));
   }
-  if (rule->size == 0 && item.size > kMostExtraBytes) {
+  if (rule->size == 0 && item.size > kMaxExtraBytes) {
     throw IoError(path, fmt::format("LASzip item {} has size {}; at most {} extra bytes are read",
-                                    rule->name, item.size, kMostExtraBytes));
+                                    rule->name, item.size, kMaxExtraBytes));
   }
   if (item.version < rule->min_version || item.version > rule->max_version) {
     throw IoError(

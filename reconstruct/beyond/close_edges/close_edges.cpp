@@ -96,15 +96,15 @@ class TwoSteps {
 std::optional<std::array<double, 2>> two_offsets(const StepBasis& basis,
                                                  const BinnedProfile& profile) {
   // What two steps leave unexplained over what one step leaves.
-  constexpr double kLargestRatio = 0.5;
-  constexpr Eigen::Index kClosest = 5;  // bins
-  constexpr Eigen::Index kFarthest = 30;
+  constexpr double kMaxRatio = 0.5;
+  constexpr Eigen::Index kMinSeparation = 5;  // bins
+  constexpr Eigen::Index kMaxSeparation = 30;
   const StepEquations equations(basis, profile);
   const Eigen::Index n = basis.offsets_px.size();
   double best = 0.0;
   std::array<Eigen::Index, 2> at{};
   for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = i + kClosest; j < std::min(n, i + kFarthest + 1); ++j) {
+    for (Eigen::Index j = i + kMinSeparation; j < std::min(n, i + kMaxSeparation + 1); ++j) {
       const double gain = equations.gain(i, j);
       if (gain <= best) continue;
       best = gain;
@@ -112,7 +112,7 @@ std::optional<std::array<double, 2>> two_offsets(const StepBasis& basis,
     }
   }
   if (at[0] == 0 || at[1] == n - 1) return std::nullopt;  // the profile shows an edge farther away
-  if (profile.squares - best > kLargestRatio * (profile.squares - best_gain(basis, profile))) {
+  if (profile.squares - best > kMaxRatio * (profile.squares - best_gain(basis, profile))) {
     return std::nullopt;
   }
   return std::array{basis.offsets_px[at[0]], basis.offsets_px[at[1]]};
@@ -120,19 +120,20 @@ std::optional<std::array<double, 2>> two_offsets(const StepBasis& basis,
 
 /// Whether the least squares ended near where they began, with two edges that do not cross.
 bool is_sound(const std::array<ProfileStep, 2>& steps, const std::array<double, 2>& begin) {
-  constexpr double kFarthestMove_px = 0.7;
-  constexpr double kClosest_px = 0.4;
+  constexpr double kMaxMove_px = 0.7;
+  constexpr double kMinWidth_px = 0.4;
   constexpr double kCrossing_px = -0.3;  // a strip may end in a point
-  constexpr double kLargestTilt_px = 1.5;
-  constexpr double kWeakest = 0.25;  // weaker step over the stronger one
+  constexpr double kMaxTilt_px = 1.5;
+  constexpr double kMinStrengthRatio = 0.25;  // weaker step over the stronger one
   for (std::size_t i = 0; i < 2; ++i) {
-    if (std::abs(steps[i].offset_px - begin[i]) > kFarthestMove_px) return false;
-    if (std::abs(steps[i].tilt_px) > kLargestTilt_px) return false;
+    if (std::abs(steps[i].offset_px - begin[i]) > kMaxMove_px) return false;
+    if (std::abs(steps[i].tilt_px) > kMaxTilt_px) return false;
   }
   const double width = steps[1].offset_px - steps[0].offset_px;
   const double narrowing = std::abs(steps[1].tilt_px - steps[0].tilt_px);
   const auto [weak, strong] = std::minmax(steps[0].height, steps[1].height);
-  return width >= kClosest_px && width - narrowing >= kCrossing_px && weak >= kWeakest * strong;
+  return width >= kMinWidth_px && width - narrowing >= kCrossing_px &&
+         weak >= kMinStrengthRatio * strong;
 }
 
 }  // namespace
@@ -146,10 +147,10 @@ std::optional<std::array<ProfileStep, 2>> CloseEdgeFinder::find(const cv::Mat& i
                                                                 const Segment2& segment) const {
   constexpr int kPasses = 6;
   // Two steps the same way may also be one step with a wider blur: a soft shadow.
-  constexpr double kClosestOneWay_px = 0.9;
+  constexpr double kMinOneWayWidth_px = 0.9;
   const double half_width = profile_half_width_px(blur_);
   const std::vector<ProfileSample> samples = profile_samples(image, segment, half_width, unit_px_);
-  if (samples.size() < kFewestProfileSamples) return std::nullopt;
+  if (samples.size() < kMinProfileSamples) return std::nullopt;
   const auto begin = two_offsets(basis_, BinnedProfile(samples, half_width));
   if (!begin) return std::nullopt;
   TwoSteps model((*begin)[0], (*begin)[1], image.channels(), blur_);
@@ -160,7 +161,7 @@ std::optional<std::array<ProfileStep, 2>> CloseEdgeFinder::find(const cv::Mat& i
   std::array<ProfileStep, 2> steps{model.step(0), model.step(1)};
   if (!is_sound(steps, *begin)) return std::nullopt;
   const double width = steps[1].offset_px - steps[0].offset_px;
-  if (width < kClosestOneWay_px && !model.turns_back()) return std::nullopt;
+  if (width < kMinOneWayWidth_px && !model.turns_back()) return std::nullopt;
   for (ProfileStep& step : steps) {
     step.offset_px *= unit_px_;
     step.tilt_px *= unit_px_;

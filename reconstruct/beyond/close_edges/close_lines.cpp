@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kClose_px = 4.5;
 constexpr double kParallel_deg = 8.0;
-constexpr double kSmallestOverlap = 0.6;   // share of the shorter line
-constexpr double kSmallestCoverage = 0.5;  // share of the line; a fragment beside it tells little
+constexpr double kMinOverlap = 0.6;   // share of the shorter line
+constexpr double kMinCoverage = 0.5;  // share of the line; a fragment beside it tells little
 
 /// Signed distance of b from a, in the middle of what they have in common; nothing if b does not run along a.
 std::optional<double> offset_px(const Segment2& a, const Segment2& b) {
@@ -26,7 +26,7 @@ std::optional<double> offset_px(const Segment2& a, const Segment2& b) {
   const double low = std::max(0.0, std::min(start, end));
   const double high = std::min(len, std::max(start, end));
   const double least_px =
-      std::max(kSmallestOverlap * std::min(len, std::abs(end - start)), kSmallestCoverage * len);
+      std::max(kMinOverlap * std::min(len, std::abs(end - start)), kMinCoverage * len);
   if (high - low < least_px) return std::nullopt;
   const double share = (0.5 * (low + high) - start) / (end - start);
   const double offset = normal(a).dot(point_at(b, share) - a.start);

@@ -61,7 +61,7 @@ std::vector<Part> parts_of(EdgeTrace edge, const cv::Mat& image, const CloseEdge
 /// Whether two lines run within a fraction of a pixel of each other over most of the shorter one.
 bool same_edge(const Segment2& a, const Segment2& b) {
   constexpr double kSame_px = 0.6;
-  constexpr double kSmallestShare = 0.6;
+  constexpr double kMinShare = 0.6;
   const Segment2& longer = length(a) >= length(b) ? a : b;
   const Segment2& shorter = length(a) >= length(b) ? b : a;
   const double len = length(longer);
@@ -71,7 +71,7 @@ bool same_edge(const Segment2& a, const Segment2& b) {
   }
   const auto [low, high] =
       std::minmax({u.dot(shorter.start - longer.start), u.dot(shorter.end - longer.start)});
-  return std::min(high, len) - std::max(low, 0.0) >= kSmallestShare * (high - low);
+  return std::min(high, len) - std::max(low, 0.0) >= kMinShare * (high - low);
 }
 
 double left_end(const Segment2& s) { return std::min(s.start.x(), s.end.x()); }

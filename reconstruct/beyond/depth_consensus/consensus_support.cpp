@@ -12,12 +12,12 @@ namespace ridgeline::reconstruct {
 namespace {
 
 /// Lines that rest on their ends alone are at least this long: false matches of short segments have ends that agree as well.
-constexpr double kShortestWithEnds_px = 15.0;
+constexpr double kMinLengthWithEnds_px = 15.0;
 
 /// Whether a segment is long enough for its ends to tell a depth.
 bool has_telling_ends(const AlignedTrack& track) {
   return track.lines.frames.of(track.line[0]).image.scale_px * length(track.line[0].segment) >=
-         kShortestWithEnds_px;
+         kMinLengthWithEnds_px;
 }
 
 /// Whether the points are far enough apart along the segment to fix its direction.
@@ -25,7 +25,7 @@ bool fix_direction(std::span<const CandidatePoint> points) {
   if (points.empty()) return false;
   const auto [low, high] = std::ranges::minmax(
       transformed(points, [](const CandidatePoint& p) { return p.ranked.parameter; }));
-  return high - low >= kSmallestBase;
+  return high - low >= kMinBase;
 }
 
 /// The part of the track between the cuts.

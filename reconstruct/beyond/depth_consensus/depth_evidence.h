@@ -17,7 +17,7 @@ struct DepthLine {
 };
 
 /// Points closer together along the segment than this share of it fix no direction.
-inline constexpr double kSmallestBase = 0.2;
+inline constexpr double kMinBase = 0.2;
 
 /// A point that a line may pass through, in the conditioned object frame.
 struct DepthEvidence {

@@ -8,7 +8,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kShortestStepPx = 15.0;
+constexpr double kMinStepLengthPx = 15.0;
 constexpr double kUnreached = -std::numeric_limits<double>::infinity();
 
 double squared(double x) { return x * x; }
@@ -99,7 +99,7 @@ bool is_long_step(const DepthQuestion& question,
   const double end = to ? question.evidence[*to].parameter : 1.0;
   const double px =
       question.lines.frames.of(question.line[0]).image.scale_px * length(question.line[0].segment);
-  return (end - start) * px >= kShortestStepPx;
+  return (end - start) * px >= kMinStepLengthPx;
 }
 
 /// The score of a cut's evidence, less what best_step() has counted for it on either side.
@@ -135,7 +135,7 @@ std::vector<DepthProfile> straight_profiles(const DepthQuestion& question,
   for (std::size_t a = 0; a < evidence.size(); ++a) {
     if (!horizontal.isZero()) add(evidence[a].x, horizontal);
     for (std::size_t b = a + 1; b < evidence.size(); ++b) {
-      if (std::abs(evidence[a].parameter - evidence[b].parameter) < kSmallestBase) continue;
+      if (std::abs(evidence[a].parameter - evidence[b].parameter) < kMinBase) continue;
       add(evidence[a].x, scorer.in_plane(evidence[b].x - evidence[a].x));
     }
   }
@@ -148,7 +148,7 @@ std::vector<DepthProfile> straight_profiles(const DepthQuestion& question,
 }
 
 std::vector<DepthProfile> gable_profiles(const DepthQuestion& question, const DepthScorer& scorer) {
-  constexpr double kFlattest = 0.2, kSteepest = 1.7;
+  constexpr double kMinSlope = 0.2, kMaxSlope = 1.7;
   constexpr double kFeet_m = 0.4;
   std::vector<DepthProfile> all;
   if (!(question.options.gable_share > 0.0)) return all;
@@ -156,9 +156,9 @@ std::vector<DepthProfile> gable_profiles(const DepthQuestion& question, const De
     const DepthEvidence& ridge = question.evidence[top];
     for (const DepthEvidence& foot : question.evidence) {
       const double away = foot.parameter - ridge.parameter;
-      if (std::abs(away) < kSmallestBase || foot.x.z() >= ridge.x.z()) continue;
+      if (std::abs(away) < kMinBase || foot.x.z() >= ridge.x.z()) continue;
       const Eigen::Vector3d down = scorer.in_plane(foot.x - ridge.x);
-      if (slope(down) < kFlattest || slope(down) > kSteepest) continue;
+      if (slope(down) < kMinSlope || slope(down) > kMaxSlope) continue;
       const DepthLine seen{ridge.x, down};
       const DepthLine opposite{ridge.x, scorer.mirrored(down)};
       DepthProfile gable;

@@ -7,7 +7,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kNearby_px = 100.0;  // largest distance of an end from the line, in the base image
-constexpr double kLargestSigma_m = 0.4;  // largest sigma of the height of a known line
+constexpr double kMaxSigma_m = 0.4;   // largest sigma of the height of a known line
 
 }  // namespace
 
@@ -15,7 +15,7 @@ KnownEnds::KnownEnds(const TrackedLines& lines, std::span<const ReconstructedLin
   std::vector<Eigen::Vector3d> ends;  // conditioned
   for (const ReconstructedLine& line : direct) {
     if (line.line_class == LineClass::kAligned || !line.segment_in_local) continue;
-    if (*line.direct_sigma_z_m > kLargestSigma_m) continue;
+    if (*line.direct_sigma_z_m > kMaxSigma_m) continue;
     for (const Eigen::Vector3d& end : {line.segment_in_local->start, line.segment_in_local->end})
       ends.push_back(lines.frames.object.conditioned_from_local(end));
   }

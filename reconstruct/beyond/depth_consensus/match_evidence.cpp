@@ -9,10 +9,10 @@ namespace ridgeline::reconstruct {
 namespace {
 
 /// The probability that two lines which cross in both images meet, at W = 1.
-constexpr double kMostPointPrior = 0.7;
+constexpr double kMaxPointPrior = 0.7;
 /// The probability that the ends of both segments show the same point.
 constexpr double kEndPrior = 0.75;
-constexpr double kLeastCutWeight = 0.3;  // least weight W of a point where a track may be cut
+constexpr double kMinCutWeight = 0.3;  // least weight W of a point where a track may be cut
 
 /// The end of a segment as an uncertain point. Its sigma along the line is sigma_end; across the line it is that of the line.
 UncertainPoint2 end_in_image(const ObservedLine& observed,
@@ -58,7 +58,7 @@ DepthEvidence evidence_of(const UncertainPoint3& point, double parameter, double
 /// Whether the track may be cut where it meets another one. The meeting must have enough weight, and both parts must be long
 /// enough in both images.
 bool may_cut(const AlignedTrack& track, const CandidatePoint& at, const ConsensusOptions& options) {
-  if (at.ranked.weight < kLeastCutWeight) return false;
+  if (at.ranked.weight < kMinCutWeight) return false;
   const auto x = track.places_of(at);
   for (std::size_t j = 0; j < 2; ++j) {
     const double shortest =
@@ -107,7 +107,7 @@ TrackEvidence evidence_of(const AlignedTrack& track,
     if (!(c.ranked.weight > options.lines.min_weight)) continue;
     evidence.points.push_back(c);
     DepthEvidence e =
-        evidence_of(c.estimated.point, c.ranked.parameter, kMostPointPrior * c.ranked.weight);
+        evidence_of(c.estimated.point, c.ranked.parameter, kMaxPointPrior * c.ranked.weight);
     e.meeting = c.ranked.weight;
     e.may_cut = may_cut(track, c, options.consensus);
     evidence.on_depth.push_back(e);

@@ -10,8 +10,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kNonsense = 0.015;     // share of lines beside which the surface is wrong
-constexpr double kLeastSigma_px = 0.3;  // least sigma of a homologous point along the line
+constexpr double kNonsense = 0.015;        // share of lines beside which the surface is wrong
+constexpr double kMinSigmaAlong_px = 0.3;  // least sigma of a homologous point along the line
 
 }  // namespace
 
@@ -100,7 +100,7 @@ std::array<Eigen::Vector2d, 2> SurfaceDepth::seen(double parameter, double d_px)
 
 std::optional<std::array<SurfaceDepth::Homologous, 2>> SurfaceDepth::homologous(
     const DepthLine& line) const {
-  constexpr double kMostOff = 3.0;         // standard deviations, root mean square
+  constexpr double kMaxOffset = 3.0;       // standard deviations, root mean square
   constexpr std::array kPlaces{0.1, 0.9};  // along the segment
   if (stations_.size() < 2) return std::nullopt;
   double squares = 0.0;
@@ -113,13 +113,14 @@ std::optional<std::array<SurfaceDepth::Homologous, 2>> SurfaceDepth::homologous(
     normal += by * by.transpose() / (s.sigma_px * s.sigma_px);
     right += by * s.d_px / (s.sigma_px * s.sigma_px);
   }
-  if (squares > kMostOff * kMostOff * static_cast<double>(stations_.size())) return std::nullopt;
+  if (squares > kMaxOffset * kMaxOffset * static_cast<double>(stations_.size()))
+    return std::nullopt;
   const Eigen::Matrix2d cov = normal.inverse();
   std::array<Homologous, 2> points;
   for (std::size_t i = 0; i < kPlaces.size(); ++i) {
     const Eigen::Vector2d by(1.0, kPlaces[i]);
     points[i] = {seen(kPlaces[i], by.dot(cov * right)),
-                 std::max(kLeastSigma_px, std::sqrt(by.dot(cov * by)))};
+                 std::max(kMinSigmaAlong_px, std::sqrt(by.dot(cov * by)))};
   }
   return points;
 }

@@ -19,7 +19,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 // Least length of a guide, because shorter ones are often texture.
-constexpr double kShortest_px = 15.0;
+constexpr double kMinGuideLength_px = 15.0;
 
 /// A step that may be the mate of a segment of the other view.
 struct FoundStep {
@@ -32,14 +32,14 @@ struct FoundStep {
 bool is_covered(const Segment2& segment, const SegmentIndex& index, std::span<const Segment2> by) {
   // A segment further off is another edge, or one that blurs two.
   constexpr double kBeside_px = 0.6;
-  constexpr double kMostSlope = 0.15;
-  constexpr double kMost = 0.5;  // share of the segment
+  constexpr double kMaxSlope = 0.15;
+  constexpr double kMaxCoveredShare = 0.5;  // share of the segment
   const Eigen::Vector2d u = along(segment);
   const Eigen::Vector2d n = normal_of(u);
   double covered_px = 0.0;
   for (const int id : index.near(segment, kBeside_px)) {
     const Segment2& other = by[static_cast<std::size_t>(id)];
-    if (std::abs(along(other).dot(n)) > kMostSlope) continue;
+    if (std::abs(along(other).dot(n)) > kMaxSlope) continue;
     const double start = u.dot(other.start - segment.start);
     const double end = u.dot(other.end - segment.start);
     const double low = std::max(0.0, std::min(start, end));
@@ -50,7 +50,7 @@ bool is_covered(const Segment2& segment, const SegmentIndex& index, std::span<co
     };
     if (std::max(beside_px(low), beside_px(high)) <= kBeside_px) covered_px += high - low;
   }
-  return covered_px > kMost * length(segment);
+  return covered_px > kMaxCoveredShare * length(segment);
 }
 
 /// For each segment of a view, whether it has a mate.
@@ -78,7 +78,7 @@ std::vector<FoundStep> steps_of(const StereoPair& pair,
   tbb::parallel_for(std::size_t{0}, guides.size(), [&](std::size_t i) {
     Interruption::check();
     const Segment2& guide = guides[i].line.segment;
-    if (is_matched[i] != 0 || length(guide) < kShortest_px) return;
+    if (is_matched[i] != 0 || length(guide) < kMinGuideLength_px) return;
     if (const auto mate = prediction.of(guide)) {
       const Segment2 in_image{image_from_ideal(there.ideal_from_image, mate->start),
                               image_from_ideal(there.ideal_from_image, mate->end)};

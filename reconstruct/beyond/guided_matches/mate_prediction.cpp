@@ -56,11 +56,11 @@ MatePrediction::MatePrediction(const Surface& surface, std::size_t from)
 }
 
 std::optional<Segment2> MatePrediction::of(const Segment2& segment) const {
-  constexpr double kLeastSine = 0.17;  // least sine of the angle to the rows
+  constexpr double kMinSine = 0.17;  // least sine of the angle to the rows
   const Eigen::Vector2d moved(moved_px_, 0.0);
   const Segment2 rectified{surface_.rectification.rectified(from_, segment.start) + moved,
                            surface_.rectification.rectified(from_, segment.end) + moved};
-  if (std::abs(along(rectified).y()) < kLeastSine) return std::nullopt;
+  if (std::abs(along(rectified).y()) < kMinSine) return std::nullopt;
   const SidesOfPiece whole = sides_of(surface_, rectified, {0.0, 1.0});
   const SidePlane* nearer = whole.nearer();
   if (nearer == nullptr || !nearer->is_trusted()) return std::nullopt;

@@ -13,19 +13,19 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kOffsetStep_px = 0.25;  // spacing of the offsets across the line
-constexpr int kFarthestOffset = 8;       // in offset steps: 2 px
+constexpr int kMaxOffsetSteps = 8;       // in offset steps: 2 px
 constexpr int kReach = 10;               // reach of the derivative, in offset steps
 constexpr double kSmoothing_px = 0.8;
-constexpr double kExpected_px = 0.5;        // sigma of the place of a line that a surface predicts
-constexpr double kLeastSignificance = 3.5;  // in standard deviations
-constexpr double kTogether_px = 2.8;        // pixels along a line that err together
-constexpr int kWindow_px = 2;               // pixels along the line, to both sides
-constexpr int kStray = 4;                   // largest offset from the mean line, in steps: 1 px
-constexpr double kLeastStrength = 0.5;      // share of the mean step
-constexpr double kLeastFill = 0.75;         // share of the line
-constexpr std::size_t kFewest_px = 10;
+constexpr double kExpected_px = 0.5;      // sigma of the place of a line that a surface predicts
+constexpr double kMinSignificance = 3.5;  // in standard deviations
+constexpr double kTogether_px = 2.8;      // pixels along a line that err together
+constexpr int kWindow_px = 2;             // pixels along the line, to both sides
+constexpr int kStray = 4;                 // largest offset from the mean line, in steps: 1 px
+constexpr double kMinStrength = 0.5;      // share of the mean step
+constexpr double kMinTraceFill = 0.75;    // share of the line
+constexpr std::size_t kMinTraceLength_px = 10;
 
-constexpr int kOffsets = 2 * kFarthestOffset + 1;
+constexpr int kOffsets = 2 * kMaxOffsetSteps + 1;
 constexpr int kSamples = kOffsets + 2 * kReach;
 
 /// Gradient across the line, per band and offset.
@@ -64,7 +64,7 @@ LineGradients gradients_along(const ImageSampler& image, const Segment2& line) {
     for (int i = 0; i < kSamples && is_inside; ++i) {
       Colour colour{};
       is_inside = image.sample(
-          line.start + t * u + (i - kFarthestOffset - kReach) * kOffsetStep_px * n, colour);
+          line.start + t * u + (i - kMaxOffsetSteps - kReach) * kOffsetStep_px * n, colour);
       for (int band = 0; band < kMaxBands; ++band)
         colours(band, i) = double{colour[static_cast<std::size_t>(band)]};
     }
@@ -91,8 +91,8 @@ std::optional<int> expected_step(const LineGradients& line, const Gradients& mea
     if (!is_peak(strength, i)) continue;
     const double significance =
         strength[i] / std::sqrt(squares[i] * kTogether_px / (n * n) + 1e-12);
-    if (significance < kLeastSignificance) continue;
-    const double off_px = (i - kFarthestOffset) * kOffsetStep_px;
+    if (significance < kMinSignificance) continue;
+    const double off_px = (i - kMaxOffsetSteps) * kOffsetStep_px;
     const double score = significance * std::exp(-0.5 * std::pow(off_px / kExpected_px, 2.0));
     if (score <= most) continue;
     most = score;
@@ -118,13 +118,13 @@ std::optional<int> nearest_peak(const Eigen::Matrix<double, 1, kOffsets>& streng
 std::optional<EdgeTrace> step_along(const ImageSampler& image, const Segment2& expected) {
   const LineGradients line = gradients_along(image, expected);
   const auto n = static_cast<int>(line.across.size());
-  if (line.across.size() < kFewest_px) return std::nullopt;
+  if (line.across.size() < kMinTraceLength_px) return std::nullopt;
   Gradients mean = Gradients::Zero();
   for (const Gradients& g : line.across) mean += g / n;
   const auto at = expected_step(line, mean);
   if (!at) return std::nullopt;
   const Eigen::Matrix<double, 1, kMaxBands> colour = mean.col(*at).normalized().transpose();
-  const double least = kLeastStrength * mean.col(*at).norm();
+  const double least = kMinStrength * mean.col(*at).norm();
   const Eigen::Vector2d u = along(expected);
   const bool is_steep = std::abs(u.y()) > std::abs(u.x());
   EdgeTrace trace;
@@ -138,13 +138,13 @@ std::optional<EdgeTrace> step_along(const ImageSampler& image, const Segment2& e
     if (!peak) continue;
     const double offset_px =
         kOffsetStep_px *
-        (*peak - kFarthestOffset +
+        (*peak - kMaxOffsetSteps +
          vertex_of_parabola(strength[*peak - 1], strength[*peak], strength[*peak + 1]));
     const Eigen::Vector2d x =
         expected.start + line.t_px[static_cast<std::size_t>(i)] * u + offset_px * normal_of(u);
     trace.push_back({x, strength[*peak], static_cast<int>(std::lround(is_steep ? x.y() : x.x()))});
   }
-  if (trace.size() < kFewest_px || static_cast<double>(trace.size()) < kLeastFill * n)
+  if (trace.size() < kMinTraceLength_px || static_cast<double>(trace.size()) < kMinTraceFill * n)
     return std::nullopt;
   return trace;
 }

@@ -54,17 +54,18 @@ Eigen::Vector2d px_per_m_up(const Pair& pair,
 /// Whether a line and `other` may be the edges of something vertical, at most 4 m high, with `other` as the
 /// upper one.
 bool is_below(const Eigen::Vector2d& px_per_m_up, const CloseLine& other) {
-  constexpr double kHighest_m = 4.0;
-  return px_per_m_up.dot(other.towards) * kHighest_m > other.distance_px;
+  constexpr double kMaxHeight_m = 4.0;
+  return px_per_m_up.dot(other.towards) * kMaxHeight_m > other.distance_px;
 }
 
 /// Whether a segment has such a strip of its own: a line close by on the same side, far enough away.
 bool shows_strip(const std::vector<CloseLine>& beside,
                  const Eigen::Vector2d& towards,
                  double width_px) {
-  constexpr double kNarrowest = 0.4;  // share of the width in the other image; a gutter is no wall
+  // share of the width in the other image; a gutter is no wall
+  constexpr double kMinWidthShare = 0.4;
   return std::ranges::any_of(beside, [&](const CloseLine& line) {
-    return line.towards.dot(towards) > 0.0 && line.distance_px > kNarrowest * width_px;
+    return line.towards.dot(towards) > 0.0 && line.distance_px > kMinWidthShare * width_px;
   });
 }
 
@@ -154,12 +155,12 @@ void compare_across_hidden_strips(const SearchedPair& views,
                                   const Radiometry& radiometry,
                                   const std::array<CloseLines, 2>& close,
                                   Candidates& candidates) {
-  constexpr double kSmallestRatio = 0.8;  // similarity of the upper edge over that of the lower one
+  constexpr double kMinRatio = 0.8;  // similarity of the upper edge over that of the lower one
   const Pair pair{views, radiometry, close};
   Candidates changed = candidates;
   for (const HiddenStrip& strip : hidden_strips(pair, candidates)) {
     const Candidate whole = across(strip, pair);
-    if (whole.similarity < kSmallestRatio * strip.lower_candidate->similarity) continue;
+    if (whole.similarity < kMinRatio * strip.lower_candidate->similarity) continue;
     for (Candidate& upper : changed[strip.upper[0]]) {
       if (upper.right == whole.right && upper.similarity < whole.similarity) upper = whole;
     }

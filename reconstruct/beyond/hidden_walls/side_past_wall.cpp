@@ -71,19 +71,19 @@ void look_past_wall(const ImagePair& images,
                     const LocalTransfer& transfer,
                     double most_drop_m,
                     EdgeLook& look) {
-  constexpr double kMostSimilar = 0.8;   // a side that agrees more (2 at most) needs no wall
-  constexpr double kNarrowest_px = 2.0;  // width of a wall, across the line
-  constexpr double kFarthest_px = 36.0;  // largest parallax of the wall
-  constexpr double kStep_px = 1.5;       // step of the parallax between two heights
+  constexpr double kMaxAgreement = 0.8;     // a side that agrees more (2 at most) needs no wall
+  constexpr double kMinWidth_px = 2.0;      // width of a wall, across the line
+  constexpr double kMaxParallax_px = 36.0;  // largest parallax of the wall
+  constexpr double kStep_px = 1.5;          // step of the parallax between two heights
   // The best of many heights looks better by this, even if none of them is right.
   constexpr SideLook kByChance{0.2, 0.012};
   if (!look.sides[0] || !look.sides[1]) return;
   const int worse = look.sides[0]->agreement() < look.sides[1]->agreement() ? 0 : 1;
-  if (look.sides[worse]->agreement() > kMostSimilar) return;
+  if (look.sides[worse]->agreement() > kMaxAgreement) return;
   const LoweredStrips strips(images, edges, transfer, worse == 0 ? -1.0 : 1.0);
   const double parallax_px_per_m = transfer.per_height.norm();
-  const double highest_m = std::min(kFarthest_px / parallax_px_per_m, most_drop_m);
-  const double lowest_m = kNarrowest_px / strips.wall_px_per_m();
+  const double highest_m = std::min(kMaxParallax_px / parallax_px_per_m, most_drop_m);
+  const double lowest_m = kMinWidth_px / strips.wall_px_per_m();
   const double step_m = kStep_px / parallax_px_per_m;
   for (int k = 0; lowest_m + k * step_m <= highest_m; ++k) {
     std::optional<SideLook> found = strips.look_at(lowest_m + k * step_m);

@@ -20,7 +20,7 @@ using Points = std::vector<Eigen::Vector2d>;
 constexpr double kMeetingReach_px = 6.0;  ///< an edge ends a little before the one that it meets
 constexpr double kGap_px = 3.0;           ///< a strip that crosses an edge interrupts it
 /// In multiples of min_length_px: short parts are matched badly.
-constexpr double kShortestPart = 2.5;
+constexpr double kMinPartLength = 2.5;
 constexpr double kMinAngle_rad = 20.0 * std::numbers::pi / 180.0;
 
 /// The ends of all edges; end k is of edge k / 2.
@@ -153,7 +153,7 @@ std::vector<EdgeTrace> cut_at_junctions(std::vector<EdgeTrace> edges,
     Interruption::check();
     const Points points = positions(edges[i]);
     runs[i] = runs_between(points, axes[i], junctions_of(i, edges, axes, ends));
-    join_short(runs[i], points, kShortestPart * options.edges.min_length_px);
+    join_short(runs[i], points, kMinPartLength * options.edges.min_length_px);
     join(runs[i], 1.0, [&](const Run& a, const Run& b) {
       return bend_of(a, b, options.beyond.min_junction_bend_px);
     });

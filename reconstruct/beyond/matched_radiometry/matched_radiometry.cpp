@@ -33,11 +33,11 @@ struct LineFit {
 };
 
 View longest_of(const View& view) {
-  constexpr std::size_t kMost = 300;
+  constexpr std::size_t kMaxSegments = 300;
   View longest = view;
   std::ranges::stable_sort(longest.segments, std::greater{},
                            [](const EdgeSegment& edge) { return length(edge.line.segment); });
-  if (longest.segments.size() > kMost) longest.segments.resize(kMost);
+  if (longest.segments.size() > kMaxSegments) longest.segments.resize(kMaxSegments);
   return longest;
 }
 
@@ -65,19 +65,18 @@ double median_misclosure(std::span<const ColourPair> pairs, int band, double gai
 /// Fits gain and offset by least squares, reweighted for Cauchy's distribution of the misclosures.
 void refine_band(std::span<const ColourPair> pairs, int band, Radiometry& radiometry) {
   constexpr int kPasses = 10;
-  constexpr double kSmallestScale = 0.002;  // in units of the range of grey values
-  constexpr double kSmallestSpread = 0.05;  // least spread of the colours that fixes a gain
+  constexpr double kMinScale = 0.002;  // in units of the range of grey values
+  constexpr double kMinSpread = 0.05;  // least spread of the colours that fixes a gain
   double gain = radiometry.gain[band];
   double offset = radiometry.offset[band];
   for (int pass = 0; pass < kPasses; ++pass) {
-    const double scale =
-        1.5 * std::max(kSmallestScale, median_misclosure(pairs, band, gain, offset));
+    const double scale = 1.5 * std::max(kMinScale, median_misclosure(pairs, band, gain, offset));
     LineFit fit;
     for (const ColourPair& pair : pairs) {
       const double ratio = (pair.left[band] - gain * pair.right[band] - offset) / scale;
       fit.add(1.0 / (1.0 + ratio * ratio), pair.right[band], pair.left[band]);
     }
-    if (!(fit.variance() > kSmallestSpread * kSmallestSpread)) return;
+    if (!(fit.variance() > kMinSpread * kMinSpread)) return;
     gain = fit.gain();
     offset = fit.offset();
   }
@@ -91,7 +90,7 @@ Radiometry matched_radiometry(const SearchedPair& pair,
                               const Radiometry& first,
                               const CandidateOptions& options,
                               const CandidateLook& change_look) {
-  constexpr std::size_t kFewest = 20;
+  constexpr std::size_t kMinPairs = 20;
   const View longest = longest_of(pair.left);
   const Candidates candidates =
       match_candidates({longest, pair.right, pair.search}, first, options, change_look);
@@ -101,7 +100,7 @@ Radiometry matched_radiometry(const SearchedPair& pair,
     const Candidate& best = candidates[i].front();
     add_colours(longest.segments[i], pair.right.segments[best.right], best, pairs);
   }
-  if (pairs.size() < kFewest) return first;
+  if (pairs.size() < kMinPairs) return first;
   Radiometry refined = first;
   for (int band = 0; band < pair.left.image.channels(); ++band) refine_band(pairs, band, refined);
   return refined;

@@ -202,7 +202,7 @@ Eigen::Matrix4d NetworkAdjustment::covariance_block(std::size_t row, std::size_t
 }
 
 NetworkAdjustment::Prediction NetworkAdjustment::predicted(std::size_t m) const {
-  constexpr double kLeastShare = 1e-9;  // least share of the others in the information
+  constexpr double kMinShare = 1e-9;  // least share of the others in the information
   const auto a = static_cast<std::size_t>(meetings_[m].first);
   const auto b = static_cast<std::size_t>(meetings_[m].second);
   const OfLinePair distance = meeting(estimates_[a], estimates_[b]);
@@ -212,7 +212,7 @@ NetworkAdjustment::Prediction NetworkAdjustment::predicted(std::size_t m) const 
                           2.0 * by_a.dot(covariance_block(a, b) * by_b) +
                           by_b.dot(covariance_block(b, b) * by_b);
   const double of_others = 1.0 - weights[m] * variance;
-  if (of_others < kLeastShare) return kUncontrolled;
+  if (of_others < kMinShare) return kUncontrolled;
   return {distance.value / sigma_of(m) / of_others, std::sqrt(variance / of_others)};
 }
 

@@ -16,7 +16,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr int kMostPasses = 30;
+constexpr int kMaxAdjustmentPasses = 30;
 constexpr double kConverged = 1e-6;  // in standard deviations, as in adjust_line()
 
 /// Lines that a chain of meetings connects, ascending, and their meetings.
@@ -71,13 +71,13 @@ double probability(const Junction& junction,
 /// false meetings of one line, as of a road marking with the cars beside it, would support each other. The
 /// meetings are decided at the end. Returns false if the equations are singular.
 bool decide_meetings(NetworkAdjustment& adjustment, const BuildingOptions& options) {
-  constexpr int kMostRounds = 20;
+  constexpr int kMaxRounds = 20;
   constexpr double kSettled = 1e-3;      // largest change of a weight
   constexpr double kNearMinimum = 1e-2;  // in standard deviations
   constexpr double kAccepted = 0.5;      // probability
   const std::size_t n = adjustment.meetings().size();
   std::vector<bool> is_possible(n, true);
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     std::vector<double> weights(n);
     double change = 0.0;
     for (std::size_t m = 0; m < n; ++m) {
@@ -89,11 +89,12 @@ bool decide_meetings(NetworkAdjustment& adjustment, const BuildingOptions& optio
       change = std::max(change, std::abs(weights[m] - adjustment.weights[m]));
     }
     adjustment.weights = weights;
-    if (!adjustment.minimise(kNearMinimum, kMostPasses) || !adjustment.invert()) return false;
+    if (!adjustment.minimise(kNearMinimum, kMaxAdjustmentPasses) || !adjustment.invert())
+      return false;
     if (change < kSettled) break;
   }
   for (double& weight : adjustment.weights) weight = weight >= kAccepted ? 1.0 : 0.0;
-  return adjustment.minimise(kConverged, kMostPasses);
+  return adjustment.minimise(kConverged, kMaxAdjustmentPasses);
 }
 
 /// Whether the lines of a group have converged; then these are their results.
@@ -144,7 +145,7 @@ void adjust_group(const ConditionedViews& frames,
   // A line that does not converge, as its images contradict each other, only spoils its own part.
   for (const Group& part : accepted_parts(group, adjustment)) {
     NetworkAdjustment alone = adjustment_of(part);
-    if (alone.minimise(kConverged, kMostPasses)) take_results(part, alone, results);
+    if (alone.minimise(kConverged, kMaxAdjustmentPasses)) take_results(part, alone, results);
   }
 }
 

@@ -106,12 +106,12 @@ std::vector<Meeting> meetings_of(const TrackedLines& lines,
 /// Whether the line is known far better than by the range of heights alone: any combination of its heights
 /// has at most this share of the variance of the range.
 bool is_determined(const ReconstructedLine& line, const std::array<double, 2>& heights_m) {
-  constexpr double kMostLeft = 0.01;
+  constexpr double kMaxVarianceShare = 0.01;
   const Matrix6d& cov = *line.covariance_m2;
   const double range_m = heights_m[1] - heights_m[0];
   const double largest =
       0.5 * (cov(2, 2) + cov(5, 5) + std::hypot(cov(2, 2) - cov(5, 5), 2.0 * cov(2, 5)));
-  return largest <= kMostLeft * range_m * range_m / 12.0;
+  return largest <= kMaxVarianceShare * range_m * range_m / 12.0;
 }
 
 /// Whether more lines meet it than `joint` has points of it and, if `joint` has any, its height is more

@@ -17,16 +17,16 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kShiftStep_px = 0.125;
-constexpr int kHalfWidth = 16;      // half width of the left profile, in steps: 2 px
-constexpr int kFarthestShift = 20;  // largest shift, in steps: 2.5 px
-constexpr int kMostAlong = 40;      // most rows that a profile is averaged over
+constexpr int kHalfWidth = 16;  // half width of the left profile, in steps: 2 px
+constexpr int kMaxShift = 20;   // largest shift, in steps: 2.5 px
+constexpr int kMaxRows = 40;    // most rows that a profile is averaged over
 
 /// Profiles as alike as this show the same surfaces on both sides.
-constexpr double kLeastNcc = 0.985;
+constexpr double kMinNcc = 0.985;
 /// Profiles are registered if that makes them more alike by at least this. Both limits were chosen by the
 /// true errors on simulated training villages: 31 of 37 registered lines come closer to the true line, 3 move
 /// away.
-constexpr double kLeastGain = 0.003;
+constexpr double kMinGain = 0.003;
 
 /// Mean colours along a line at steps across it, -n..n; empty if a sample lies outside of the image.
 std::vector<Colour> profile_across(const ImageSampler& image,
@@ -41,14 +41,14 @@ std::vector<Colour> profile_across(const ImageSampler& image,
 
 /// Finds the place at which the longer right profile shows the left one.
 ComparedProfiles compared(std::span<const Colour> left, std::span<const Colour> right) {
-  std::array<double, 2 * kFarthestShift + 1> at{};
+  std::array<double, 2 * kMaxShift + 1> at{};
   for (std::size_t k = 0; k < at.size(); ++k)
     at[k] = correlation(left, right.subspan(k, left.size()));
   const auto best = std::max_element(at.begin(), at.end());
-  const ComparedProfiles unmoved{0.0, at[kFarthestShift]};
+  const ComparedProfiles unmoved{0.0, at[kMaxShift]};
   if (best == at.begin() || best == at.end() - 1) return unmoved;
-  if (*best < kLeastNcc || *best - at[kFarthestShift] < kLeastGain) return unmoved;
-  return {kShiftStep_px * (static_cast<double>(best - at.begin()) - kFarthestShift +
+  if (*best < kMinNcc || *best - at[kMaxShift] < kMinGain) return unmoved;
+  return {kShiftStep_px * (static_cast<double>(best - at.begin()) - kMaxShift +
                            vertex_of_parabola(best[-1], *best, best[1])),
           *best};
 }
@@ -62,12 +62,12 @@ ComparedProfiles profiles_of_match(const StereoSearch& search,
   const auto overlap = epipolar_overlap(*searched, right.line.segment);
   if (!overlap) return {};
   // Steps are pixels of each view, unless one of them is reduced and the other one is not.
-  constexpr double kMostUnlike = 1.5;
+  constexpr double kMaxScaleRatio = 1.5;
   const Eigen::Matrix2d jacobian = local_transfer(search, midpoint(left.line.segment)).jacobian;
   const double right_px_per_left_px = std::sqrt(std::abs(jacobian.determinant()));
   const bool is_unlike =
-      right_px_per_left_px > kMostUnlike || right_px_per_left_px < 1.0 / kMostUnlike;
-  const StripFrame frame = strip_frame({left, right, *overlap}, kMostAlong);
+      right_px_per_left_px > kMaxScaleRatio || right_px_per_left_px < 1.0 / kMaxScaleRatio;
+  const StripFrame frame = strip_frame({left, right, *overlap}, kMaxRows);
   // The sides are those of the left segment, whichever way the right one runs.
   const double sign = overlap->reversed() ? -1.0 : 1.0;
   const double right_step_px = frame.scale_px * (is_unlike ? right_px_per_left_px : 1.0);
@@ -75,7 +75,7 @@ ComparedProfiles profiles_of_match(const StereoSearch& search,
   const std::vector<Colour> seen_left =
       profile_across(images[0], frame.on_left, frame.side_in_left, kHalfWidth);
   const std::vector<Colour> seen_right =
-      profile_across(images[1], frame.on_right, side_in_right, kHalfWidth + kFarthestShift);
+      profile_across(images[1], frame.on_right, side_in_right, kHalfWidth + kMaxShift);
   if (seen_left.empty() || seen_right.empty()) return {};
   ComparedProfiles both = compared(seen_left, seen_right);
   both.right_shift_px *= sign * right_step_px;

@@ -23,10 +23,10 @@ using Matrix26d = Eigen::Matrix<double, 2, 6>;
 /// The face that at least half of the places beside a segment lie in.
 std::optional<int> face_beside(const PlaneFaces& faces, const Segment2& rectified, double side) {
   constexpr double kBeside_px = 4.0;  // the cells that an edge crosses are in no face, mostly
-  constexpr int kFewestPlaces = 3;
+  constexpr int kMinPlaces = 3;
   const Eigen::Vector2d off = side * kBeside_px * normal(rectified);
   const int n_places =
-      std::max(kFewestPlaces, static_cast<int>(length(rectified) / PlaneFaces::kCell_px));
+      std::max(kMinPlaces, static_cast<int>(length(rectified) / PlaneFaces::kCell_px));
   std::map<int, int> votes;
   for (int i = 0; i < n_places; ++i) {
     const int face = faces.at(point_at(rectified, (i + 0.5) / n_places) + off);
@@ -53,7 +53,7 @@ std::vector<const PlaneFace*> faces_beside(const PlaneFaces& faces, const Segmen
 
 /// Makes one step of the adjustment with both ends as unknowns.
 void adjust_to_face(const Rectification& r, const PlaneFace& face, Vector6d& ends, Matrix6d& cov) {
-  constexpr double kLargest = 13.816;  // chi-square with 2 degrees of freedom, 99.9 %
+  constexpr double kMaxChiSquare = 13.816;  // chi-square with 2 degrees of freedom, 99.9 %
   Matrix26d by_ends = Matrix26d::Zero();
   Eigen::Matrix<double, 2, 3> by_plane;
   Eigen::Vector2d misfit;
@@ -67,7 +67,7 @@ void adjust_to_face(const Rectification& r, const PlaneFace& face, Vector6d& end
                                   kShared_px * kShared_px * Eigen::Matrix2d::Ones() +
                                   kOwn_px * kOwn_px * Eigen::Matrix2d::Identity();
   const Eigen::Matrix2d weight = (propagated(by_ends, cov) + of_face).inverse();
-  if (misfit.dot(weight * misfit) > kLargest) return;
+  if (misfit.dot(weight * misfit) > kMaxChiSquare) return;
   const Eigen::Matrix<double, 6, 2> gain = cov * by_ends.transpose() * weight;
   ends -= gain * misfit;
   const Matrix6d kept = Matrix6d::Identity() - gain * by_ends;

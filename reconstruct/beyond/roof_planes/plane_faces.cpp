@@ -15,9 +15,9 @@ namespace {
 
 constexpr double kSeed_px = 0.25;      // root mean square of three by three cells about their plane
 constexpr double kOnPlane_px = 0.4;    // root mean square of a cell about the plane of a face
-constexpr double kSteepestFace = 0.6;  // change of disparity per pixel; walls have more
-constexpr double kLeastKnown = 0.5;    // share of a cell's pixels that have a disparity
-constexpr int kFewestCells = 12;
+constexpr double kMaxFaceSlope = 0.6;  // change of disparity per pixel; walls have more
+constexpr double kMinKnownShare = 0.5;  // share of a cell's pixels that have a disparity
+constexpr int kMinCells = 12;
 
 /// Moments of pixels (x, y, disparity), from which planes and the distances of the pixels from them follow.
 /// They are moments about the mean, so that a small face far from the first pixel loses no digits.
@@ -63,7 +63,7 @@ struct PlaneSums {
   }
 };
 
-bool is_steep(const Eigen::Vector3d& plane) { return plane.head<2>().norm() > kSteepestFace; }
+bool is_steep(const Eigen::Vector3d& plane) { return plane.head<2>().norm() > kMaxFaceSlope; }
 
 class Growing {
  public:
@@ -109,7 +109,7 @@ class Growing {
   bool is_free(int row, int column) {
     return row >= 0 && column >= 0 && row < rows_ && column < columns_ &&
            face_of(row, column) < 0 &&
-           cell(row, column).n >= kLeastKnown * PlaneFaces::kCell_px * PlaneFaces::kCell_px;
+           cell(row, column).n >= kMinKnownShare * PlaneFaces::kCell_px * PlaneFaces::kCell_px;
   }
 
   /// The sum of three by three cells about a place; nothing unless all of them are free.
@@ -169,7 +169,7 @@ class Growing {
     }
     const PlaneSums inner = inner_sums(members, index);
     if (inner.n > 0.0) plane = inner.plane();
-    if (static_cast<int>(members.size()) < kFewestCells || inner.n == 0.0 || is_steep(plane)) {
+    if (static_cast<int>(members.size()) < kMinCells || inner.n == 0.0 || is_steep(plane)) {
       for (const auto& [row, column] : members) face_of(row, column) = PlaneFaces::kNone;
       return;
     }
@@ -195,8 +195,8 @@ class Growing {
   /// Covariance of a plane. It allows for neighbours that err together, as the matching smooths.
   static Eigen::Matrix3d covariance(const PlaneSums& all, const Eigen::Vector3d& plane) {
     constexpr double kTogether = 100.0;  // number of pixels that err together
-    constexpr double kLeastSigma_px = 0.05;
-    const double sigma_px = std::max(kLeastSigma_px, all.rms_px(plane));
+    constexpr double kMinSigma_px = 0.05;
+    const double sigma_px = std::max(kMinSigma_px, all.rms_px(plane));
     return kTogether * sigma_px * sigma_px * all.cofactors();
   }
 

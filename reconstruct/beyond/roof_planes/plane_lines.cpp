@@ -15,12 +15,12 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kLeastBend = 0.08;  // difference of the planes' slopes, disparity per pixel
+constexpr double kMinBend = 0.08;  // difference of the planes' slopes, disparity per pixel
 // Largest distance of the border from the intersection.
 constexpr double kFromIntersection_px = 1.0 * PlaneFaces::kCell_px;
-constexpr double kLeastOnLine = 0.6;  // share of the border that must lie on the line
-constexpr double kLargestGap_px = 2.5 * PlaneFaces::kCell_px;
-constexpr double kShortestIntersection_px = 20.0;
+constexpr double kMinShareOnLine = 0.6;  // share of the border that must lie on the line
+constexpr double kMaxGap_px = 2.5 * PlaneFaces::kCell_px;
+constexpr double kMinIntersectionLength_px = 20.0;
 // Sigma of an end along the line, because it is uncertain where the faces end.
 constexpr double kSigmaEnd_px = 0.5 * PlaneFaces::kCell_px;
 
@@ -58,7 +58,7 @@ std::optional<Segment2> crease(const PlaneFace& a,
                                const std::vector<Eigen::Vector2d>& border) {
   const Eigen::Vector3d difference = a.plane - b.plane;
   const double bend = difference.head<2>().norm();
-  if (bend < kLeastBend) return std::nullopt;
+  if (bend < kMinBend) return std::nullopt;
   const Eigen::Vector3d line = difference / bend;
   const Eigen::Vector2d along(-line.y(), line.x());
   std::vector<double> on_line;
@@ -66,16 +66,16 @@ std::optional<Segment2> crease(const PlaneFace& a,
     if (std::abs(line.dot(x.homogeneous())) <= kFromIntersection_px)
       on_line.push_back(along.dot(x));
   }
-  if (static_cast<double>(on_line.size()) < kLeastOnLine * static_cast<double>(border.size()))
+  if (static_cast<double>(on_line.size()) < kMinShareOnLine * static_cast<double>(border.size()))
     return std::nullopt;
   std::ranges::sort(on_line);
   std::array<double, 2> longest{0.0, 0.0};
   double from = on_line.front();
   for (std::size_t i = 0; i < on_line.size(); ++i) {
-    if (i > 0 && on_line[i] - on_line[i - 1] > kLargestGap_px) from = on_line[i];
+    if (i > 0 && on_line[i] - on_line[i - 1] > kMaxGap_px) from = on_line[i];
     if (on_line[i] - from > longest[1] - longest[0]) longest = {from, on_line[i]};
   }
-  if (longest[1] - longest[0] + PlaneFaces::kCell_px < kShortestIntersection_px)
+  if (longest[1] - longest[0] + PlaneFaces::kCell_px < kMinIntersectionLength_px)
     return std::nullopt;
   const Eigen::Vector2d foot = -line.z() * line.head<2>();
   return Segment2{foot + longest[0] * along, foot + longest[1] * along};

@@ -25,11 +25,11 @@ constexpr double kLong_px = 50.0;  ///< texture gives no segments of this length
 /// pair of sample patch 5 (Bayer, JPEG) exceeds it and gains by it.
 constexpr double kSoft = 1.2;
 /// Long segments of less length in a view, on average, do not show whether its image is soft.
-constexpr double kFewest_px = 500.0;
-constexpr double kLonger = 1.03;     ///< growth by a better size; less is chance
-constexpr double kWorthwhile = 1.1;  ///< growth by the wider edges of a further reduction
-constexpr double kWhole = 0.8;       ///< share of an edge that shows it as a whole
-constexpr double kMostOn = 0.5;      ///< share of a segment that makes it a piece of an edge
+constexpr double kMinLengthPerView_px = 500.0;
+constexpr double kLonger = 1.03;         ///< growth by a better size; less is chance
+constexpr double kWorthwhile = 1.1;      ///< growth by the wider edges of a further reduction
+constexpr double kWhole = 0.8;           ///< share of an edge that shows it as a whole
+constexpr double kMinShareOnEdge = 0.5;  ///< share of a segment that makes it a piece of an edge
 
 using SegmentsByView = std::vector<std::vector<EdgeSegment>>;
 
@@ -47,8 +47,8 @@ double long_px(const SegmentsByView& by_view) {
 /// The length of the stretch that a segment and an edge have in common; 0 unless the segment lies
 /// on the edge all along it.
 double common_px(const Segment2& edge, const Segment2& segment, double tolerance_px) {
-  constexpr double kMostTurn_deg = 10.0;  // short segments are turned by their noise
-  if (acute_angle_rad(edge, segment) > kMostTurn_deg * kRadPerDeg) return 0.0;
+  constexpr double kMaxTurn_deg = 10.0;  // short segments are turned by their noise
+  if (acute_angle_rad(edge, segment) > kMaxTurn_deg * kRadPerDeg) return 0.0;
   const double at_start = parameter_along(edge, segment.start);
   const double at_end = parameter_along(edge, segment.end);
   const double low = std::max(0.0, std::min(at_start, at_end));
@@ -77,7 +77,7 @@ std::vector<EdgeSegment> merged(std::span<const EdgeSegment> finer,
       const auto i = static_cast<std::size_t>(id);
       const double on_edge_px = common_px(edge.in_image, lines[i], edge.scale_px);
       longest_px = std::max(longest_px, on_edge_px);
-      if (on_edge_px > kMostOn * length(lines[i])) pieces.push_back(i);
+      if (on_edge_px > kMinShareOnEdge * length(lines[i])) pieces.push_back(i);
     }
     if (longest_px >= kWhole * length_px) continue;
     for (const std::size_t i : pieces) is_piece[i] = 1;
@@ -121,7 +121,7 @@ std::vector<std::vector<EdgeSegment>> segments_at_common_size(std::span<const Vi
     return found;
   };
   SegmentsByView all = reduced_by(1);
-  const double fewest_px = kFewest_px * static_cast<double>(views.size());
+  const double fewest_px = kMinLengthPerView_px * static_cast<double>(views.size());
   bool is_common_size = false;  // whether `all` was found at the size of most edges, or finer ones
   for (const int factor : kFactors) {
     SegmentsByView found = reduced_by(factor);

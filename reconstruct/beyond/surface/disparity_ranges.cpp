@@ -10,10 +10,10 @@ namespace {
 /// How far beside a cell coarse disparities count at first, as they place a step to a few pixels only, and
 /// how far at most.
 constexpr int kBeside_px = 4;
-constexpr int kMostBeside_px = 64;
+constexpr int kMaxBeside_px = 64;
 /// Disparities that are searched below and above those of the coarse image.
 constexpr int kGap_px = 4;
-constexpr int kMostOfCell = 256;
+constexpr int kMaxCellDisparities = 256;
 
 DisparityRanges without_ranges(const cv::Size& size_px, int n_all) {
   constexpr int kCell = DisparityRanges::kCell_px;
@@ -48,14 +48,14 @@ DisparityRange range_around(const Known& coarse, int n_all) {
   const int low = std::max(0, 2 * static_cast<int>(std::floor(coarse.least_px)) - kGap_px);
   const int high = std::min(n_all, 2 * static_cast<int>(std::ceil(coarse.most_px)) + kGap_px + 1);
   const int n = (high - low + kStep - 1) / kStep * kStep;
-  if (n > kMostOfCell) return {};
+  if (n > kMaxCellDisparities) return {};
   return {std::min(low, n_all - n), n};
 }
 
 DisparityRange range_of_cell(const cv::Mat& coarse_px, const cv::Point& cell, int n_all) {
   constexpr int kCell_px = DisparityRanges::kCell_px / 2;
   const cv::Rect whole(cv::Point(), coarse_px.size());
-  for (int beside = kBeside_px; beside <= kMostBeside_px; beside *= 2) {
+  for (int beside = kBeside_px; beside <= kMaxBeside_px; beside *= 2) {
     const int side = kCell_px + 2 * beside;
     const cv::Rect around =
         cv::Rect(cell * kCell_px - cv::Point(beside, beside), cv::Size(side, side)) & whole;

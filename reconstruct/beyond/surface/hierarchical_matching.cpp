@@ -20,8 +20,8 @@ cv::Mat halved(const cv::Mat& image) {
 
 /// @param n_halved  how often the views may be halved
 cv::Mat matched(const cv::Mat& left, const cv::Mat& right, int n_all, int n_halved) {
-  constexpr int kLeast_px = 32;
-  const bool is_coarsest = n_halved == 0 || std::min(left.cols, left.rows) < kLeast_px;
+  constexpr int kMinSide_px = 32;
+  const bool is_coarsest = n_halved == 0 || std::min(left.cols, left.rows) < kMinSide_px;
   return semi_global_disparities(
       left, right,
       is_coarsest ? all_disparities(left.size(), n_all)

@@ -13,8 +13,8 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr int kLanes = cv::v_uint8x16::nlanes;
-constexpr int kMostBands = 3;
-constexpr std::int16_t kMostGradient = 63;
+constexpr int kMaxMatchedBands = 3;
+constexpr std::int16_t kMaxGradient = 63;
 /// Grey values count a quarter, as the light differs between the views.
 constexpr int kGreyShift = 2;
 
@@ -22,8 +22,8 @@ constexpr int kGreyShift = 2;
 void bounded_gradients(const std::int16_t* gradient, int n, std::uint8_t* bounded) {
   for (int x = 0; x < n; ++x) {
     const auto within =
-        std::max<std::int16_t>(-kMostGradient, std::min<std::int16_t>(kMostGradient, gradient[x]));
-    bounded[x] = static_cast<std::uint8_t>(within + kMostGradient);
+        std::max<std::int16_t>(-kMaxGradient, std::min<std::int16_t>(kMaxGradient, gradient[x]));
+    bounded[x] = static_cast<std::uint8_t>(within + kMaxGradient);
   }
 }
 
@@ -116,7 +116,7 @@ void MatchingCost::of_pixel(int x, int y, const DisparityRange& range, std::int1
   constexpr int kHalfOfLanes = kLanes / 2;
   static_assert(DisparityRange::kStep % kHalfOfLanes == 0);
   const int n_planes = 2 * n_bands_;
-  std::array<Pixels, std::size_t{2} * kMostBands> left;
+  std::array<Pixels, std::size_t{2} * kMaxMatchedBands> left;
   for (int plane = 0; plane < n_planes; ++plane) {
     const int at = plane * size_.width + x;
     left[static_cast<std::size_t>(plane)] = {cv::v_setall_u8(left_.value.ptr(y)[at]),

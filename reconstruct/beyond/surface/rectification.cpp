@@ -63,9 +63,9 @@ double Rectification::disparity_at_height_px(const Eigen::Vector2d& x_px,
 
 std::optional<Rectification> rectification(const std::array<ProjectionMatrix, 2>& cameras,
                                            const cv::Size& size_px) {
-  constexpr double kLeastSine = 0.2;
+  constexpr double kMinSine = 0.2;
   // Growth of the image's area. It is 2 for an image that is turned by 45 degrees.
-  constexpr double kMostGrowth = 4.0;
+  constexpr double kMaxGrowth = 4.0;
   Rectification r;
   r.left_centre_m = projection_centre(cameras[0]).hnormalized();
   const Eigen::Vector3d base =
@@ -74,7 +74,7 @@ std::optional<Rectification> rectification(const std::array<ProjectionMatrix, 2>
   const Eigen::Vector3d x = base / r.base_m;
   const Eigen::Vector3d view = viewing_direction(cameras[0]) + viewing_direction(cameras[1]);
   const Eigen::Vector3d across = view.cross(x);
-  if (!(across.norm() > kLeastSine * view.norm())) return std::nullopt;
+  if (!(across.norm() > kMinSine * view.norm())) return std::nullopt;
   const Eigen::Vector3d y = across.normalized();
   r.rectified_from_local << x.transpose(), y.transpose(), x.cross(y).transpose();
 
@@ -93,7 +93,7 @@ std::optional<Rectification> rectification(const std::array<ProjectionMatrix, 2>
   }
   // The area is not finite if a corner lies at the horizon of the base.
   const double area_px = (high - low).prod();
-  if (!(area_px < kMostGrowth * size_px.area()) || !is_one_sided(unscaled(0), size_px))
+  if (!(area_px < kMaxGrowth * size_px.area()) || !is_one_sided(unscaled(0), size_px))
     return std::nullopt;
   r.principal_point_px = -low;
   r.size = {static_cast<int>(std::ceil(high.x() - low.x())) + 1,
@@ -107,11 +107,11 @@ std::optional<Rectification> rectification(const std::array<ProjectionMatrix, 2>
 }
 
 Eigen::Vector2d image_from_ideal(const PixelMap& ideal_from_image, const Eigen::Vector2d& ideal) {
-  constexpr int kMostSteps = 20;
+  constexpr int kMaxSteps = 20;
   constexpr double kClose_px = 1e-3;
   if (!ideal_from_image) return ideal;
   Eigen::Vector2d x = ideal;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const auto back = ideal_from_image(x);
     if (!back) break;
     const Eigen::Vector2d off = ideal - *back;

@@ -35,8 +35,8 @@ Penalties penalties_of(const cv::Mat& view) {
 /// The most that pixels may cost so that the sum over eight paths takes 16 bits, as a path costs at most the large
 /// penalty more.
 std::int16_t most_cost(const Penalties& penalties) {
-  constexpr int kMostOfPath = std::numeric_limits<std::uint16_t>::max() / 8;
-  return static_cast<std::int16_t>(kMostOfPath - penalties.large);
+  constexpr int kMaxPathCost = std::numeric_limits<std::uint16_t>::max() / 8;
+  return static_cast<std::int16_t>(kMaxPathCost - penalties.large);
 }
 
 /// The costs of the paths of one direction at the pixels of a row.

@@ -12,10 +12,10 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr int kNearest_px = 3;    // clear of the step at the line by half a block of the matching
-constexpr int kFarthest_px = 12;  // places this far are still on the roof
+constexpr int kMinDistance_px = 3;  // clear of the step at the line by half a block of the matching
+constexpr int kMaxDistance_px = 12;  // places this far are still on the roof
 constexpr double kOnSide_px = 0.6;
-constexpr double kSteepestSide = 0.6;  // change of disparity per pixel; walls have more
+constexpr double kMaxSideSlope = 0.6;  // change of disparity per pixel; walls have more
 
 struct Sample {
   Eigen::Vector3d by;  ///< 1, t, s
@@ -34,7 +34,7 @@ std::vector<Sample> samples_beside(const Surface& surface,
   n_all = 0;
   for (int i = 0; i < n_along; ++i) {
     const double t = -half + 2.0 * half * i / (n_along - 1);
-    for (int s = kNearest_px; s <= kFarthest_px; ++s) {
+    for (int s = kMinDistance_px; s <= kMaxDistance_px; ++s) {
       ++n_all;
       if (const auto d = surface.at(midpoint(segment) + t * u + s * n))
         samples.push_back({{1.0, t, static_cast<double>(s)}, *d});
@@ -52,7 +52,7 @@ std::optional<Eigen::Vector3d> plane_through(const std::array<const Sample*, 3>&
   }
   if (std::abs(by.determinant()) < 1.0) return std::nullopt;
   const Eigen::Vector3d plane = by.inverse() * d;
-  if (plane.tail<2>().cwiseAbs().maxCoeff() > kSteepestSide) return std::nullopt;
+  if (plane.tail<2>().cwiseAbs().maxCoeff() > kMaxSideSlope) return std::nullopt;
   return plane;
 }
 
@@ -90,10 +90,10 @@ SidePlane fitted(const std::vector<Sample>& samples, const Eigen::Vector3d& star
   constexpr double kTogether = 100.0;  // pixels that err together
   // Sigma of the slope away from the line, px per px: that of roofs.
   constexpr double kSlopeSigma = 0.15;
-  constexpr double kLeastSigma_px = 0.05;
+  constexpr double kMinSigma_px = 0.05;
   double squares = 0.0;
   for (const Sample& s : samples) squares += std::pow(start.dot(s.by) - s.d, 2.0);
-  const double variance = kTogether * std::max(kLeastSigma_px * kLeastSigma_px,
+  const double variance = kTogether * std::max(kMinSigma_px * kMinSigma_px,
                                                squares / static_cast<double>(samples.size()));
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   normal(2, 2) = 1.0 / (kSlopeSigma * kSlopeSigma);
@@ -117,10 +117,10 @@ double SidePlane::sigma_on_line_px(double t_px) const {
 }
 
 std::optional<SidePlane> side_plane(const Surface& surface, const Segment2& rectified, int side) {
-  constexpr std::size_t kFewest = 10;
+  constexpr std::size_t kMinSamples = 10;
   std::size_t n_all = 0;
   std::vector<Sample> samples = samples_beside(surface, rectified, side, n_all);
-  if (2 * samples.size() < n_all || samples.size() < kFewest) return std::nullopt;
+  if (2 * samples.size() < n_all || samples.size() < kMinSamples) return std::nullopt;
   const auto best = best_plane(samples);
   if (!best) return std::nullopt;
   std::erase_if(samples,
@@ -148,8 +148,8 @@ SidesOfPiece sides_of(const Surface& surface,
 
 std::vector<SidesOfPiece> sides_along(const Surface& surface, const Segment2& rectified) {
   constexpr double kPiece_px = 30.0;
-  constexpr int kMost = 10;
-  const int n = std::clamp(static_cast<int>(length(rectified) / kPiece_px), 1, kMost);
+  constexpr int kMaxPieces = 10;
+  const int n = std::clamp(static_cast<int>(length(rectified) / kPiece_px), 1, kMaxPieces);
   std::vector<SidesOfPiece> pieces;
   pieces.reserve(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i) {

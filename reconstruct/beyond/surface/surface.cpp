@@ -19,7 +19,7 @@ namespace {
 
 /// Most disparities of a tile. A tile stays unknown if the range of heights has more, or if its rays do not
 /// reach this range.
-constexpr double kMostDisparities = 4096.0;
+constexpr double kMaxDisparities = 4096.0;
 
 /// Disparities of a tile, [least, least + n).
 struct Range {
@@ -41,7 +41,7 @@ Range range_of(const Rectification& r,
     }
   }
   Range range;
-  if (!(high - low < kMostDisparities)) return range;
+  if (!(high - low < kMaxDisparities)) return range;
   range.least = static_cast<int>(std::floor(low)) - 1;
   constexpr int kStep = kHierarchicalStep;
   range.n = (static_cast<int>(std::ceil(high)) + 1 - range.least + kStep - 1) / kStep * kStep;

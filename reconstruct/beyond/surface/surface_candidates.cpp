@@ -19,14 +19,14 @@ constexpr double kAgreed = 2.7;
 /// Standard deviation of the disparity of a line in the rectified views, by its edges alone.
 double edge_sigma_px(const Segment2& rectified) {
   constexpr double kAcross_px = 0.5;
-  constexpr double kLeastSine = 0.1;  // the ends of a line along the rows tell its disparity
-  return kAcross_px / std::max(std::abs(along(rectified).y()), kLeastSine);
+  constexpr double kMinSine = 0.1;  // the ends of a line along the rows tell its disparity
+  return kAcross_px / std::max(std::abs(along(rectified).y()), kMinSine);
 }
 
 /// Square of the misfit to the side that a line agrees with better, in standard deviations. Nothing if a side
 /// that is not trusted may explain the line.
 std::optional<double> squared_misfit(const SidesOfPiece& piece, double d_px, double edge_sigma_px) {
-  constexpr double kMostOff = 3.0;
+  constexpr double kMaxOffset = 3.0;
   double best = HUGE_VAL;
   bool knows_both = true;
   for (const auto& plane : piece.planes) {
@@ -37,7 +37,7 @@ std::optional<double> squared_misfit(const SidesOfPiece& piece, double d_px, dou
     const double sigma_px = std::hypot(plane->sigma_on_line_px(0.0), edge_sigma_px);
     best = std::min(best, std::pow((d_px - plane->on_line(0.0)) / sigma_px, 2.0));
   }
-  if (!knows_both && best > kMostOff * kMostOff) return std::nullopt;
+  if (!knows_both && best > kMaxOffset * kMaxOffset) return std::nullopt;
   return best;
 }
 

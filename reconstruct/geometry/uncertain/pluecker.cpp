@@ -94,12 +94,12 @@ UncertainPlane3 projection_plane(const ProjectionMatrix& image_from_object,
 }
 
 std::optional<UncertainLine3> intersection(const UncertainPlane3& a, const UncertainPlane3& b) {
-  constexpr double kSmallestSine = 1e-9;  // a smaller one makes the direction rounding error
+  constexpr double kMinSine = 1e-9;  // a smaller one makes the direction rounding error
   const Eigen::Vector3d normal_a = a.mean.head<3>();
   const Eigen::Vector3d normal_b = b.mean.head<3>();
   // The condition is negated so that a plane without a normal (at infinity, or NaN) has no intersection
   // either.
-  if (!(normal_a.cross(normal_b).norm() > kSmallestSine * normal_a.norm() * normal_b.norm())) {
+  if (!(normal_a.cross(normal_b).norm() > kMinSine * normal_a.norm() * normal_b.norm())) {
     return std::nullopt;
   }
   const Eigen::Matrix<double, 6, 4> pi_a = pi_bar_matrix(a.mean);

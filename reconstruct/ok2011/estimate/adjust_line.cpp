@@ -85,7 +85,7 @@ struct Increment {
 };
 
 Increment solve(const LineEquations& n, const Vector6d& line) {
-  constexpr double kSmallestPivot = 1e-12;  // eigenvalue of the block scaled by its mean diagonal
+  constexpr double kMinPivot = 1e-12;  // eigenvalue of the block scaled by its mean diagonal
   const Eigen::Matrix<double, 6, 4> basis = line_tangent_basis(line);
   const Eigen::Matrix4d matrix = basis.transpose() * n.matrix * basis;
   const double scale = matrix.trace() / 4.0;
@@ -94,7 +94,7 @@ Increment solve(const LineEquations& n, const Vector6d& line) {
   Eigen::Vector4d inverse = Eigen::Vector4d::Zero();
   int rank = 0;
   for (int i = 0; i < 4; ++i) {
-    if (eigen.eigenvalues()(i) < kSmallestPivot) continue;
+    if (eigen.eigenvalues()(i) < kMinPivot) continue;
     inverse(i) = 1.0 / (eigen.eigenvalues()(i) * scale);
     ++rank;
   }

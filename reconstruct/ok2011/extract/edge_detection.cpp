@@ -15,7 +15,7 @@ constexpr int kTile_px = 256;
 
 /// Least noise: about an eighth of a step of 8 bit grey values per pixel. Parts that saturate or are drawn by
 /// a computer have almost no gradient.
-constexpr float kLowestNoise = 0.0005F;
+constexpr float kMinNoise = 0.0005F;
 
 std::vector<cv::Rect> tiles(const cv::Size& size_px) {
   std::vector<cv::Rect> all;
@@ -84,7 +84,7 @@ GradientImage gradient_image(const ImagePart& part, const ExtractOptions& option
     // The filter sees the pixels around the tile too, because the tile is a part of the image.
     colour_gradient(image(all[i]), options.gradient_sigma_px).copyTo(gradient(all[i]));
   });
-  return {gradient, NoiseGrid(gradient, kLowestNoise, part.corner_px)};
+  return {gradient, NoiseGrid(gradient, kMinNoise, part.corner_px)};
 }
 
 std::vector<EdgePixel> detected_edge_pixels(const cv::Mat& image,

@@ -14,7 +14,7 @@ constexpr std::size_t kTrimmed = 2;          ///< number of points at each end
 constexpr std::size_t kMinForTrimming = 12;  ///< least number of points
 constexpr double kHuber = 1.345;
 constexpr double kSigmaOfMedian = 1.4826;
-constexpr double kSmallestSigma_px = 0.02;
+constexpr double kMinLineSigma_px = 0.02;
 
 double median_absolute(std::vector<double> values) {
   for (double& value : values) value = std::abs(value);
@@ -70,7 +70,7 @@ RegressionLine regression_line(std::span<const Eigen::Vector2d> points) {
   fit(points, line);
   for (int k = 0; k < kIterations; ++k) {
     const double sigma =
-        std::max(kSmallestSigma_px, kSigmaOfMedian * median_absolute(line.residual_px));
+        std::max(kMinLineSigma_px, kSigmaOfMedian * median_absolute(line.residual_px));
     for (std::size_t i = 0; i < n; ++i) {
       const double ratio = std::abs(line.residual_px[i]) / (kHuber * sigma);
       line.weight[i] = at_end(i, n) ? 0.0 : 1.0 / std::max(1.0, ratio);

@@ -10,9 +10,9 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr std::size_t kMostPerPair = 5;
+constexpr std::size_t kMaxMatchesPerPair = 5;
 /// Longest side of the patch that a pair spans, because the surface is a plane only near the corner.
-constexpr double kLongestSide_px = 32.0;
+constexpr double kMaxPatchSide_px = 32.0;
 
 Segment2 clipped(const Segment2& s, const std::array<double, 2>& range) {
   return {point_at(s, range[0]), point_at(s, range[1])};
@@ -45,7 +45,7 @@ PatchSides patch_sides(const Segment2& left,
   const bool start_is_far = (left.start - x_left).norm() > (left.end - x_left).norm();
   PatchSides sides{(start_is_far ? left.start : left.end) - x_left,
                    (start_is_far ? right.start : right.end) - x_right};
-  const double shrink = std::min(1.0, kLongestSide_px / sides.left.norm());
+  const double shrink = std::min(1.0, kMaxPatchSide_px / sides.left.norm());
   sides.left *= shrink;
   if (aligned) {
     const double sign = sides.left.dot(left.end - left.start) < 0.0 ? -1.0 : 1.0;
@@ -60,7 +60,7 @@ void add_patch_constraints(const PairScene& scene,
                            const EdgePair& a,
                            const EdgePair& b,
                            Constraints& constraints) {
-  constexpr double kShortestSide_px = 4.0;
+  constexpr double kMinSide_px = 4.0;
   const Clipped pair = clip(a, b, true);
   const auto x_left = intersection(pair.left[0], pair.left[1], 0.0);
   const auto x_right = intersection(pair.right[0], pair.right[1], 0.0);
@@ -70,7 +70,7 @@ void add_patch_constraints(const PairScene& scene,
   const PatchSides second =
       patch_sides(pair.left[1], pair.right[1], *x_left, *x_right, b.overlap.aligned);
   for (const PatchSides* side : {&first, &second}) {
-    if (std::min(side->left.norm(), side->right.norm()) < kShortestSide_px) return;
+    if (std::min(side->left.norm(), side->right.norm()) < kMinSide_px) return;
   }
   const auto left = pair_patch(scene.images.left, {*x_left, first.left, second.left});
   if (!left) return;
@@ -182,7 +182,7 @@ std::vector<PairMatch> pair_matches(const PairScene& scene, const BasePair& pair
     }
   }
   std::ranges::stable_sort(matches, std::greater{}, &PairMatch::similarity);
-  if (matches.size() > kMostPerPair) matches.resize(kMostPerPair);
+  if (matches.size() > kMaxMatchesPerPair) matches.resize(kMaxMatchesPerPair);
   return matches;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kNumBins = 8;
 /// Variance of the grey values below which a patch has no texture to compare.
-constexpr double kLeastVariance = 1e-6;
+constexpr double kMinVariance = 1e-6;
 
 Eigen::Vector2d place(int sample) { return {sample % PairPatch::kSize, sample / PairPatch::kSize}; }
 
@@ -89,7 +89,7 @@ std::optional<double> correlation(const PairPatch& left, const PairPatch& right)
     variance_left += s.aa / kN - s.a * s.a / (kN * kN);
     variance_right += s.bb / kN - s.b * s.b / (kN * kN);
   }
-  const double least = kLeastVariance * left.n_bands;
+  const double least = kMinVariance * left.n_bands;
   if (!(variance_left > least && variance_right > least)) return std::nullopt;
   return std::clamp(correlation(sums, PairPatch::kNumSamples), 0.0, 1.0);
 }

@@ -13,7 +13,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr int kMostPasses = 20;
+constexpr int kMaxVotingPasses = 20;
 constexpr double kFixedPoint = 1e-4;  // the passes end when no probability changes by this
 /// A share of support starts from "undecided" with this weight: a lone neighbour proves little, and
 /// a segment without neighbours is judged by its look.
@@ -127,7 +127,7 @@ Supports similarity_votes(const MatchChoices& choices,
   std::vector<double> probability =
       transformed(graph.candidates, [](const Candidate* c) { return c->similarity; });
   std::vector<Support> supports;
-  for (int pass = 0; pass < kMostPasses; ++pass) {
+  for (int pass = 0; pass < kMaxVotingPasses; ++pass) {
     supports = supports_at(graph, probability);
     std::vector<double> next = probabilities(graph, supports);
     const double change = largest_change(probability, next);

@@ -79,7 +79,7 @@ std::vector<NearSegment> neighbours_of(int segment,
                                        std::span<const Segment2> segments,
                                        const SegmentIndex& index) {
   constexpr double kReach_px = 60.0;
-  constexpr std::size_t kMost = 12;
+  constexpr std::size_t kMaxNeighbours = 12;
   const Segment2& own = segments[segment];
   std::vector<NearSegment> neighbours;
   for (const int other : index.near(own, kReach_px)) {
@@ -88,7 +88,7 @@ std::vector<NearSegment> neighbours_of(int segment,
     if (neighbour.distance_px <= kReach_px) neighbours.push_back(neighbour);
   }
   std::ranges::stable_sort(neighbours, {}, &NearSegment::distance_px);
-  if (neighbours.size() > kMost) neighbours.resize(kMost);
+  if (neighbours.size() > kMaxNeighbours) neighbours.resize(kMaxNeighbours);
   return neighbours;
 }
 

@@ -216,10 +216,10 @@ TEST(Fittings, StayWithinTwelveCentimetresOfTheMeshAndChangeNoLine) {
   ASSERT_GT(scene.mesh.triangles.size(), bare.mesh.triangles.size() + 200);
   EXPECT_EQ(scene.lines.size(), bare.lines.size());
   EXPECT_EQ(scene.planes.size(), bare.planes.size());
-  constexpr double kHighestM = 0.12 + 1e-6;
+  constexpr double kMaxDistanceM = 0.12 + 1e-6;
   constexpr std::size_t kEvery = 11;  // of the new vertices, for the test's speed
   for (std::size_t i = bare.mesh.vertices.size(); i < scene.mesh.vertices.size(); i += kEvery) {
-    EXPECT_LE(distance_to(bare.mesh, scene.mesh.vertices[i]), kHighestM) << i;
+    EXPECT_LE(distance_to(bare.mesh, scene.mesh.vertices[i]), kMaxDistanceM) << i;
   }
   Scene again = bare;
   add_fittings(again, 6);

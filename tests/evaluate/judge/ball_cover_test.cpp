@@ -58,8 +58,8 @@ TEST(BallCover, HasNoBallBesideTheExtent) {
 TEST(BallCover, StaysSmallForABirdFarAboveTheCloud) {
   Eigen::AlignedBox3d extent = hills();
   extent.extend(Eigen::Vector3d(0, 0, 1e7));
-  constexpr int kMostBalls = 256 * 256;
-  EXPECT_LE(BallCover({{-1e7, 0}, {1e7, 0}}, 0.3, extent).size(), kMostBalls);
+  constexpr int kMaxBalls = 256 * 256;
+  EXPECT_LE(BallCover({{-1e7, 0}, {1e7, 0}}, 0.3, extent).size(), kMaxBalls);
 }
 
 TEST(BallCover, TakesALevelCloudAndNoRadius) {

@@ -99,8 +99,8 @@ TEST(RidgeDisplacement, IsNotToldByPlanesThatAreNearlyOne) {
     const double slope = std::tan(half_angle_deg * M_PI / 180.0);
     return ridge_displacement(ridge, roofs(ridge.start, {1, 0, 0}, slope, slope), kSigmas_m);
   };
-  EXPECT_FALSE(displacement(0.5 * kLeastRidgeAngle_deg - 0.01));
-  EXPECT_TRUE(displacement(0.5 * kLeastRidgeAngle_deg + 0.01));
+  EXPECT_FALSE(displacement(0.5 * kMinRidgeAngle_deg - 0.01));
+  EXPECT_TRUE(displacement(0.5 * kMinRidgeAngle_deg + 0.01));
 }
 
 TEST(RidgeDisplacement, IsNotToldOfAVerticalLine) {

@@ -337,11 +337,11 @@ TEST_F(ReadCloud, GivesNothingWhereMorePointsAreKeptThanFit) {
 }
 
 TEST_F(ReadCloud, ThinsToAShareThatFits) {
-  constexpr std::size_t kMost = 3000;
+  constexpr std::size_t kMaxPoints = 3000;
   CloudFiles files({write("a.las", random_points(20000))}, {});
   const std::uint64_t n_all = files.read(std::nullopt).points.size();
-  const PointCloud thinned = files.read_thinned(std::nullopt, kMost);
-  EXPECT_LE(thinned.points.size(), kMost);
+  const PointCloud thinned = files.read_thinned(std::nullopt, kMaxPoints);
+  EXPECT_LE(thinned.points.size(), kMaxPoints);
   EXPECT_EQ(thinned.points.size() + thinned.n_dropped_share, n_all);
   // a sixteenth of 15 600: 974 expected, and 6 sigma of a binomial share are 182
   EXPECT_NEAR(static_cast<double>(thinned.points.size()), static_cast<double>(n_all) / 16.0, 182.0);

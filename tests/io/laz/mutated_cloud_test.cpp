@@ -33,8 +33,8 @@ extern "C" const char* __asan_default_options() {
 namespace ridgeline::io::laz {
 namespace {
 
-constexpr double kMostSeconds = 2.0;  // processor time, so that no test fails on a busy machine
-constexpr std::size_t kMostMemory = std::size_t{512} << 20U;
+constexpr double kMaxTime_s = 2.0;  // processor time, so that no test fails on a busy machine
+constexpr std::size_t kMaxMemory_bytes = std::size_t{512} << 20U;
 
 struct SampleFile {
   std::string name;
@@ -93,15 +93,15 @@ std::vector<SampleFile> samples() {
 void add_chunk_boundaries(const FileBytes& file,
                           const LasHeader& header,
                           std::set<std::size_t>& at) {
-  constexpr std::size_t kMostLayers = 9;  // layers of the core of a layered record
+  constexpr std::size_t kMaxLayers = 9;  // layers of the core of a layered record
   const LazPoints points(file, header, "sample");
   for (const Chunk& chunk : points.chunks()) {
     at.insert({chunk.offset, chunk.offset + chunk.n_bytes});
     at.insert(chunk.offset + header.record_length);
     if (header.point_format < 6) continue;
     const std::size_t sizes = chunk.offset + header.record_length + 4;
-    std::size_t layer = sizes + 4 * kMostLayers;
-    for (std::size_t i = 0; i < kMostLayers; ++i) {
+    std::size_t layer = sizes + 4 * kMaxLayers;
+    for (std::size_t i = 0; i < kMaxLayers; ++i) {
       at.insert(layer);
       layer += load<std::uint32_t>(&file[sizes + 4 * i]);
     }
@@ -176,7 +176,7 @@ class MutatedCloud : public testing::Test {
       EXPECT_NE(std::string(error.what()).find(path_), std::string::npos) << what << error.what();
     }
     const double duration_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    EXPECT_LT(duration_s, kMostSeconds) << what;
+    EXPECT_LT(duration_s, kMaxTime_s) << what;
     return points;
   }
 
@@ -202,7 +202,7 @@ TEST_F(MutatedCloud, CutAtAnyBoundaryIsAnErrorOrLosesNoPoint) {
       }
     }
   }
-  EXPECT_LT(peak_memory(), kMostMemory);
+  EXPECT_LT(peak_memory(), kMaxMemory_bytes);
 }
 
 TEST_F(MutatedCloud, ChangedBytesOfHeadersAndTablesGiveNoMorePointsThanAreThere) {
@@ -221,7 +221,7 @@ TEST_F(MutatedCloud, ChangedBytesOfHeadersAndTablesGiveNoMorePointsThanAreThere)
       EXPECT_LE(points->size(), 2 * whole->size() + 64) << what;
     }
   }
-  EXPECT_LT(peak_memory(), kMostMemory);
+  EXPECT_LT(peak_memory(), kMaxMemory_bytes);
 }
 
 TEST_F(MutatedCloud, ChangedBytesAnywhereAreSurvived) {
@@ -236,7 +236,7 @@ TEST_F(MutatedCloud, ChangedBytesAnywhereAreSurvived) {
       read(changed, sample.name + " trial " + std::to_string(trial));
     }
   }
-  EXPECT_LT(peak_memory(), kMostMemory);
+  EXPECT_LT(peak_memory(), kMaxMemory_bytes);
 }
 
 }  // namespace

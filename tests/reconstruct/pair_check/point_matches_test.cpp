@@ -12,8 +12,8 @@ namespace {
 constexpr int kSide_px = 900;
 // SIFT is exact to about half a pixel of images that are reduced to 500 pixels.
 constexpr double kPixel_px = 2.0;
-constexpr std::size_t kFewest = 100;
-constexpr double kLeastRight = 0.9;
+constexpr std::size_t kMinMatches = 100;
+constexpr double kMinRightShare = 0.9;
 
 /// Blots of many sizes, so that no two places look the same. CV_32FC3 in [0, 1].
 cv::Mat blots(int seed) {
@@ -43,12 +43,12 @@ TEST(MatchPoints, FindsThePlaceInAShiftedImage) {
   const cv::Mat image = blots(1);
   const cv::Mat left = image(cv::Rect(40, 30, 800, 800));
   const auto matches = match_points({left.clone(), image});
-  ASSERT_GT(matches.size(), kFewest);
+  ASSERT_GT(matches.size(), kMinMatches);
   EXPECT_GT(share_right(matches,
                         [](const Eigen::Vector2d& x) {
                           return Eigen::Vector2d(x + Eigen::Vector2d(40, 30));
                         }),
-            kLeastRight);
+            kMinRightShare);
 }
 
 TEST(MatchPoints, FindsThePlaceInATurnedAndInAReducedImage) {
@@ -56,26 +56,26 @@ TEST(MatchPoints, FindsThePlaceInATurnedAndInAReducedImage) {
   cv::Mat turned;
   cv::rotate(image, turned, cv::ROTATE_180);
   const auto of_turned = match_points({image, turned});
-  ASSERT_GT(of_turned.size(), kFewest);
+  ASSERT_GT(of_turned.size(), kMinMatches);
   EXPECT_GT(share_right(of_turned,
                         [](const Eigen::Vector2d& x) {
                           return Eigen::Vector2d(Eigen::Vector2d::Constant(kSide_px - 1) - x);
                         }),
-            kLeastRight);
+            kMinRightShare);
   cv::Mat half;
   cv::resize(image, half, {}, 0.5, 0.5, cv::INTER_AREA);
   const auto of_half = match_points({image, half});
-  ASSERT_GT(of_half.size(), kFewest);
+  ASSERT_GT(of_half.size(), kMinMatches);
   EXPECT_GT(share_right(of_half,
                         [](const Eigen::Vector2d& x) {
                           const Eigen::Vector2d edge = Eigen::Vector2d::Constant(0.5);
                           return Eigen::Vector2d(0.5 * (x + edge) - edge);
                         }),
-            kLeastRight);
+            kMinRightShare);
 }
 
 TEST(MatchPoints, FindsNextToNothingInImagesOfDifferentPlacesAndNothingWithoutTexture) {
-  EXPECT_LT(match_points({blots(3), blots(4)}).size(), kFewest / 4);
+  EXPECT_LT(match_points({blots(3), blots(4)}).size(), kMinMatches / 4);
   const cv::Mat grey(300, 400, CV_32FC1, cv::Scalar(0.4));
   EXPECT_TRUE(match_points({grey, grey}).empty());
   const cv::Mat pixel(2, 2, CV_32FC1, cv::Scalar(0.4));

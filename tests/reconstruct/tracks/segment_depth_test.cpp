@@ -58,9 +58,9 @@ TEST(ProposeTrack, IsMoreCertainWithMoreViews) {
 TEST(ProposeTrack, StatesTheErrorsOfItsHeights) {
   constexpr int kTrials = 200;
   // The error of the segment itself counts with each view as if it were new, so that the sum is near 2, not equal.
-  constexpr double kLeast = 1.0;
-  constexpr double kMost = 3.0;
-  constexpr int kMostUndecided =
+  constexpr double kMinMean = 1.0;
+  constexpr double kMaxMean = 3.0;
+  constexpr int kMaxUndecidedTrials =
       5;  // each of four views may be beyond the 99.9 % limit of the others
   BlockScene exact;
   exact.add({{-5.0, -3.0, 4.0}, {5.0, 4.0, 4.0}});
@@ -84,9 +84,9 @@ TEST(ProposeTrack, StatesTheErrorsOfItsHeights) {
     const Eigen::Vector2d error = track->depth.heights_m - Eigen::Vector2d::Constant(4.0);
     sum += error.dot(track->depth.cov_m2.inverse() * error);
   }
-  ASSERT_GE(n_decided, kTrials - kMostUndecided);
-  EXPECT_GT(sum / n_decided, kLeast);
-  EXPECT_LT(sum / n_decided, kMost);
+  ASSERT_GE(n_decided, kTrials - kMaxUndecidedTrials);
+  EXPECT_GT(sum / n_decided, kMinMean);
+  EXPECT_LT(sum / n_decided, kMaxMean);
 }
 
 TEST(ProposeTrack, AViewThatShouldShowTheLineAndDoesNotLowersTheOdds) {

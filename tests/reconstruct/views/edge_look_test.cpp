@@ -72,12 +72,12 @@ TEST(StripFrame, HasStepsOfTheSofterEdge) {
   left.in_image = line;
   EdgeSegment right = left;
   const EpipolarOverlap whole{{0.0, 1.0}, {0.0, 1.0}, {0.0, 0.0}, false};
-  constexpr int kMostAlong = 100;
-  const StripFrame sharp = strip_frame({left, right, whole}, kMostAlong);
+  constexpr int kMaxSamplesAlong = 100;
+  const StripFrame sharp = strip_frame({left, right, whole}, kMaxSamplesAlong);
   EXPECT_EQ(sharp.on_left.size(), 8U);  // every 1.5 px
   EXPECT_EQ(sharp.side_in_left.norm(), 1.0);
   right.scale_px = 2.0;
-  const StripFrame soft = strip_frame({left, right, whole}, kMostAlong);
+  const StripFrame soft = strip_frame({left, right, whole}, kMaxSamplesAlong);
   EXPECT_EQ(soft.on_left.size(), 4U);
   EXPECT_EQ(soft.side_in_left.norm(), 2.0);
 }

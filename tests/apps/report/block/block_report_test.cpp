@@ -163,13 +163,13 @@ BlockFolder large_block() {
 }
 
 TEST(BlockReport, OfAThousandPatchesIsBelow20Megabytes) {
-  constexpr std::size_t kMost_bytes = 20'000'000;
+  constexpr std::size_t kMaxPage_bytes = 20'000'000;
   BlockCloud cloud;
   for (int i = 0; i < 1'000'000; ++i) cloud.x_m.emplace_back(i % 1000, i / 1000, i % 7);
   const Json data = block_json(large_block(), cloud, std::nullopt);
   EXPECT_EQ(data["methods"][0]["lines"]["n_shown"], kMaxPlanLines);
   EXPECT_EQ(data["points"]["n_shown"], kMaxPlanPoints);
-  EXPECT_LT(report_page("t", data.dump(), block_front_end()).size(), kMost_bytes);
+  EXPECT_LT(report_page("t", data.dump(), block_front_end()).size(), kMaxPage_bytes);
 }
 
 }  // namespace

@@ -81,8 +81,8 @@ LineGroup with_ends_that_disagree(double other_m) {
 
 TEST(DepthConsensus, CountsHowFarLinesThatMeetMissEachOther) {
   constexpr int kTrials = 400;
-  constexpr double kLeast = 0.7,
-                   kMost = 1.3;  // around the mean 1; a chi-square mean of 300 scatters by 0.08
+  constexpr double kMinMean = 0.7,
+                   kMaxMean = 1.3;  // around the mean 1; a chi-square mean of 300 scatters by 0.08
   const EstimationOptions options;
   test::Random random(71);
   double sum = 0.0;
@@ -100,8 +100,8 @@ TEST(DepthConsensus, CountsHowFarLinesThatMeetMissEachOther) {
     ++n;
   }
   ASSERT_GT(n, kTrials / 2);
-  EXPECT_GT(sum / n, kLeast);
-  EXPECT_LT(sum / n, kMost);
+  EXPECT_GT(sum / n, kMinMean);
+  EXPECT_LT(sum / n, kMaxMean);
 }
 
 TEST(DepthConsensus, GivesNoLineWhereAnotherDepthExplainsItAboutAsWell) {

@@ -139,7 +139,7 @@ NetworkLine contradictory_line(const ConditionedScene& scene, test::Random& rand
 }
 
 TEST_F(MeetingLines, AreAdjustedWithoutALineThatDoesNotConverge) {
-  constexpr int kMostTries = 20000;  // few contradictory lines do not converge
+  constexpr int kMaxTries = 20000;  // few contradictory lines do not converge
   constexpr double kConvergence = 1e-6;
   const auto adjusted = [&] {
     return adjust_network(scene.frames, lines, meetings, kAnyHeight_m, {});
@@ -147,7 +147,7 @@ TEST_F(MeetingLines, AreAdjustedWithoutALineThatDoesNotConverge) {
   const std::vector<AdjustedInNetwork> before = adjusted();
   meetings.push_back({0, 4, {0.8, 0.1}});  // offered, but too far apart to be accepted
   lines.emplace_back();
-  for (int i = 0; i < kMostTries; ++i) {
+  for (int i = 0; i < kMaxTries; ++i) {
     lines.back() = contradictory_line(scene, random);
     const std::vector<AdjustedInNetwork> after = adjusted();
     if (after[4].adjusted) continue;

@@ -71,12 +71,12 @@ std::vector<EdgeSegment> segments_of(const test::BlurredScene& scene, bool soft_
 /// Share of the edges of which one segment covers most, within 3 px of both its ends.
 double share_found_whole(const test::BlurredScene& scene,
                          const std::vector<EdgeSegment>& segments) {
-  constexpr double kMost = 0.75;
+  constexpr double kMinCoveredShare = 0.75;
   constexpr double kBeside_px = 3.0;
   const auto is_whole = [&](const Segment2& edge) {
     return std::ranges::any_of(segments, [&](const EdgeSegment& segment) {
       const Segment2& s = segment.in_image;
-      return length(s) > kMost * length(edge) && distance(edge, s.start) < kBeside_px &&
+      return length(s) > kMinCoveredShare * length(edge) && distance(edge, s.start) < kBeside_px &&
              distance(edge, s.end) < kBeside_px;
     });
   };

@@ -14,7 +14,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr int kAllCosts = 32;
-constexpr std::int16_t kMost = 5000;
+constexpr std::int16_t kMaxCost = 5000;
 constexpr std::int16_t kUntouched = -7;
 const cv::Size kCostSize(24, 20);
 
@@ -22,7 +22,7 @@ const cv::Size kCostSize(24, 20);
 std::vector<std::int16_t> costs_of(const test::RectifiedViews& views,
                                    const cv::Rect& cell,
                                    const DisparityRange& range,
-                                   std::int16_t most = kMost) {
+                                   std::int16_t most = kMaxCost) {
   std::vector<std::int16_t> costs(static_cast<std::size_t>(cell.area() * range.n + 16), kUntouched);
   std::vector<std::int16_t*> rows;
   for (int j = 0; j < cell.height; ++j)
@@ -100,7 +100,7 @@ TEST(MatchingCost, IsBounded) {
   const test::RectifiedViews views{
       cv::Mat(kCostSize, CV_8UC3, cv::Scalar(0, 0, 0)),
       cv::Mat(kCostSize.height, kCostSize.width + kAllCosts, CV_8UC3, cv::Scalar(255, 255, 255))};
-  for (const std::int16_t most : {std::int16_t{100}, kMost}) {
+  for (const std::int16_t most : {std::int16_t{100}, kMaxCost}) {
     for (const std::int16_t cost : costs_of(views, {0, 0, 16, 16}, {0, 16}, most))
       EXPECT_EQ(cost, std::min<int>(most, 3 * 25 * 63));
   }

@@ -122,7 +122,7 @@ TEST(LineProjection, IsTheJoinOfTheImagesOfTwoPoints) {
 }
 
 TEST(ReducedRows, AreIndependentForEveryLine) {
-  constexpr double kSmallestRatio = 0.5;
+  constexpr double kMinRatio = 0.5;
   test::Random random(56);
   const auto ratio = [](const Eigen::Matrix<double, 2, 4>& rows) {
     const Eigen::Vector2d s = Eigen::JacobiSVD<Eigen::MatrixXd>(rows).singularValues();
@@ -132,8 +132,8 @@ TEST(ReducedRows, AreIndependentForEveryLine) {
     Vector6d line = random_line(random);
     line.tail<3>() *= std::pow(10.0, random.uniform(-4, 4));  // lines of any distance
     const int k = dominant_component(line);
-    EXPECT_GT(ratio(select_rows(gamma_matrix(line), line_in_plane_rows(k))), kSmallestRatio);
-    EXPECT_GT(ratio(select_rows(gamma_bar_matrix(line), point_on_line_rows(k))), kSmallestRatio);
+    EXPECT_GT(ratio(select_rows(gamma_matrix(line), line_in_plane_rows(k))), kMinRatio);
+    EXPECT_GT(ratio(select_rows(gamma_bar_matrix(line), point_on_line_rows(k))), kMinRatio);
   }
 }
 

@@ -6,7 +6,7 @@ import { ascending, chiSquare1, median, normalQuantile } from '../data/statistic
 import { h } from '../ui/dom';
 import { fixed, words } from '../ui/format';
 
-const kLeast_m = 1e-4; // smaller distances are drawn here on logarithmic axes
+const kMinDistance_m = 1e-4; // smaller distances are drawn here on logarithmic axes
 
 type Data = uPlot.AlignedData;
 type Series = uPlot.Series;
@@ -82,7 +82,7 @@ function histogram(lines: readonly Line[]): Chart {
 function cumulative(lines: readonly Line[]): Chart {
   const classes = classesOf(lines);
   const sets = [...classes.map((c) => lines.filter((l) => l.class === c)), lines].map((members) => {
-    const x = ascending(evaluated(members).map((l) => Math.max(kLeast_m, l.mean_distance_m)));
+    const x = ascending(evaluated(members).map((l) => Math.max(kMinDistance_m, l.mean_distance_m)));
     return { x, y: x.map((_, i) => (100 * (i + 1)) / x.length) };
   });
   return { id: 'cumulative', title: 'Cumulative distances', caption: 'Share of the evaluated lines of a class within a distance.',
@@ -112,7 +112,7 @@ function againstAngle(lines: readonly Line[]): Chart {
   const classes = classesOf(used);
   const sets = classes.map((c) => {
     const members = used.filter((l) => l.class === c);
-    return { x: members.map(angle), y: members.map((l) => Math.max(kLeast_m, l.mean_distance_m)) };
+    return { x: members.map(angle), y: members.map((l) => Math.max(kMinDistance_m, l.mean_distance_m)) };
   });
   const x = logSpaced(0.02, 90, 80);
   return { id: 'angle', title: 'Distance against epipolar angle', caption: Number.isFinite(k)
@@ -128,7 +128,7 @@ function againstTruth(lines: readonly Line[]): Chart | null {
   const classes = classesOf(used);
   const sets = classes.map((c) => {
     const members = used.filter((l) => l.class === c);
-    return { x: members.map((l) => Math.max(kLeast_m, l.mean_distance_m)), y: members.map((l) => Math.max(kLeast_m, l.true_error_m ?? 0)) };
+    return { x: members.map((l) => Math.max(kMinDistance_m, l.mean_distance_m)), y: members.map((l) => Math.max(kMinDistance_m, l.true_error_m ?? 0)) };
   });
   const diagonal = logSpaced(1e-3, 1e1, 20);
   return { id: 'truth', title: 'True error against LIDAR distance', caption: `${used.length} lines that lie on a true line in both images. Above the diagonal: shifts that the distance from a plane cannot see.`,

@@ -31,14 +31,14 @@ export function gateTable(report: Pick<Report, 'gates'>): HTMLElement | null {
     ...report.gates.warnings.map((w) => h('p', { class: 'caption' }, `Warning: ${w}`)));
 }
 
-const kMostImages = 5; // 5 stands for five and more
+const kMaxImages = 5; // 5 stands for five and more
 
 function trackTable(tracks: readonly PatchTracks[]): HTMLElement {
   const rows = tracks.flatMap(({ patch, cells }) =>
     cells.filter((c) => c.class === 'total' && c.edges > 0).map((cell) => ({ patch, cell })));
   const share = (title: string, of: (c: TrackCell) => number | null): Column<(typeof rows)[number]> =>
     ({ title, number: true, cell: (r) => percent(of(r.cell)) });
-  const images = (n: number | null): string => n === null ? 'all' : `${n}${n === kMostImages ? ' and more' : ''}`;
+  const images = (n: number | null): string => n === null ? 'all' : `${n}${n === kMaxImages ? ' and more' : ''}`;
   return h('section', {}, h('h3', {}, 'Tracks, by true edges'),
     table([
       { title: 'patch', cell: (r) => r.patch },
