@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Builds the extension module with CMake: `pip install --no-build-isolation .` (see docs/python.md)."""
+"""Builds the extension module with CMake: `pip install --no-build-isolation .` (see
+docs/python.md).
+"""
 
 import os
 import re
@@ -15,7 +17,9 @@ ROOT = Path(__file__).parent.resolve()
 
 
 class CMakeBuild(build_ext):
-    """Builds the target `ridgeline_python` in build/python, or in the configured RIDGELINE_BUILD_DIR."""
+    """Builds the target `ridgeline_python` in build/python, or in the configured
+    RIDGELINE_BUILD_DIR.
+    """
 
     def build_extension(self, ext: Extension) -> None:
         build = Path(os.environ.get("RIDGELINE_BUILD_DIR", ROOT / "build" / "python"))

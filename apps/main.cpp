@@ -147,8 +147,8 @@ int fail(std::string message, ExitCode code) {
   return code;
 }
 
-/// The words that a user may have meant: the options of the given subcommand and the global ones. Without a subcommand
-/// the commands are among them.
+/// The words that a user may have meant: the options of the given subcommand and the global ones.
+/// Without a subcommand the commands are among them.
 std::vector<std::string> known_words(const CLI::App& app) {
   std::vector<std::string> words;
   const std::vector<CLI::App*> given = app.get_subcommands();
@@ -164,8 +164,8 @@ std::vector<std::string> known_words(const CLI::App& app) {
   return words;
 }
 
-/// CLI11 reports a missing option before an unknown word. The unknown word is reported instead: often it is the missing
-/// option, misspelled.
+/// CLI11 reports a missing option before an unknown word. The unknown word is reported instead:
+/// often it is the missing option, misspelled.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<CLI::App*> given = app.get_subcommands();
   const std::string help =
@@ -234,7 +234,8 @@ int guarded_main(int argc, char** argv) {
   }
 }
 
-/// A closed stream would give its number to the next file opened, and what is printed would go there.
+/// A closed stream would give its number to the next file opened, and what is printed would go
+/// there.
 void open_standard_streams() {
   for (const auto& [stream, device] :
        {std::pair(STDIN_FILENO, "/dev/null"), std::pair(STDOUT_FILENO, "/dev/full"),
@@ -243,8 +244,8 @@ void open_standard_streams() {
   }
 }
 
-/// What is printed is held back until the results are complete, so that nothing that happens to the reader ends
-/// the work halfway.
+/// What is printed is held back until the results are complete, so that nothing that happens to the
+/// reader ends the work halfway.
 void hold_back_stdout() {
   static std::array<char, std::size_t{1} << 20U> buffer;  // without it glibc ignores the size
   std::signal(SIGPIPE, SIG_IGN);

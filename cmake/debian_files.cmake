@@ -1,5 +1,5 @@
-# Writes to OUT what Debian asks of a package beside the installed files: a manual page of the program and of each of its
-# commands, of their help by help2man, the changelogs and the licence.
+# Writes to OUT what Debian asks of a package beside the installed files: a manual page of the
+# program and of each of its commands, of their help by help2man, the changelogs and the licence.
 # cmake -D PROGRAM=... -D VERSION=... -D OUT=... -D SOURCE_DIR=... -P debian_files.cmake
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY OUTPUT_VARIABLE output)

@@ -1,6 +1,7 @@
-# The target `packages` makes Debian packages in build/.../packages: `ridgeline`, the program with its manual,
-# completion and sample data, `libridgeline-dev`, the libraries with their headers, CMake files and examples, and with
-# RIDGELINE_BUILD_PYTHON `python3-ridgeline`. It needs help2man and dpkg-dev.
+# The target `packages` makes Debian packages in build/.../packages: `ridgeline`, the program with
+# its manual, completion and sample data, `libridgeline-dev`, the libraries with their headers,
+# CMake files and examples, and with RIDGELINE_BUILD_PYTHON `python3-ridgeline`. It needs help2man
+# and dpkg-dev.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "Ridgeline developers <developers@ridgeline.invalid>")
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)

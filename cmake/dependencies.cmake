@@ -26,7 +26,8 @@ if(RIDGELINE_BUILD_PYTHON)
   find_package(pybind11 2.10 REQUIRED CONFIG)
 endif()
 
-# OpenCV's shared libraries bring Mesa and LLVM for windows that the program never opens: 46 packages.
+# OpenCV's shared libraries bring Mesa and LLVM for windows that the program never opens: 46
+# packages.
 option(RIDGELINE_STATIC_OPENCV "Link OpenCV's archives, for a program that needs none of its packages" OFF)
 if(RIDGELINE_STATIC_OPENCV)
   find_package(LAPACK REQUIRED)

@@ -1,5 +1,5 @@
-# `find_package(ridgeline)` gives ridgeline::geometry, ::laz, ::views, ::extract, ::match, ::chio, ::estimate,
-# ::beyond, ::reconstruct, ::io, ::evaluate and ::results.
+# `find_package(ridgeline)` gives ridgeline::geometry, ::laz, ::views, ::extract, ::match, ::chio,
+# ::estimate, ::beyond, ::reconstruct, ::io, ::evaluate and ::results.
 include(CMakePackageConfigHelpers)
 
 # ridgeline::laz and what it rests on can be found alone: find_package(ridgeline COMPONENTS laz).

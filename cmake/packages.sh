@@ -1,5 +1,6 @@
-# Debian / Ubuntu packages, read by demo.sh, test.sh and the scripts in .ci; the functions that install them, and the
-# folder of what later checks of this user can use again, in whatever checkout.
+# Debian / Ubuntu packages, read by demo.sh, test.sh and the scripts in .ci; the functions that
+# install them, and the folder of what later checks of this user can use again, in whatever
+# checkout.
 ridgeline_cache=${XDG_CACHE_HOME:-$HOME/.cache}/ridgeline
 
 build_packages=(

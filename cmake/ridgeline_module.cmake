@@ -9,7 +9,8 @@ target_compile_options(ridgeline_flags INTERFACE
   # GCC takes every source of a unity file but the file itself for a header
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage>)
 
-# A note that each source with a header of Boost's geometry would print, about a header that Boost itself includes.
+# A note that each source with a header of Boost's geometry would print, about a header that Boost
+# itself includes.
 target_compile_definitions(ridgeline_flags INTERFACE BOOST_ALLOW_DEPRECATED_HEADERS)
 
 # ridgeline_module(NAME SOURCES a.cpp... HEADERS a.h... [DEPENDS t...] [PRIVATE_DEPENDS t...])
@@ -28,18 +29,18 @@ function(ridgeline_module name)
   target_compile_features(ridgeline_${name} PUBLIC cxx_std_20)
 endfunction()
 
-# ridgeline_vectorise(NAME): for modules that loop over pixels or samples of them, which -O2 of GCC 12 leaves
-# scalar. Others gain nothing and take longer to compile.
+# ridgeline_vectorise(NAME): for modules that loop over pixels or samples of them, which -O2 of GCC
+# 12 leaves scalar. Others gain nothing and take longer to compile.
 function(ridgeline_vectorise name)
   target_compile_options(ridgeline_${name} PRIVATE $<$<CONFIG:Release>:-O3;-fno-math-errno;-fno-trapping-math>)
 endfunction()
 
-# ridgeline_test(NAME [LITTLE_COMPUTED] SOURCES a_test.cpp... [DEPENDS t...] [LABELS l...]): one GoogleTest
-# binary. Its cases are found by ctest; with RIDGELINE_TEST_SHARDS the binary runs as so many tests instead,
-# which saves the start of a process for every case. Binaries with the label `slow` are left out without
-# RIDGELINE_BUILD_SLOW_TESTS. With LITTLE_COMPUTED Clang compiles the tests without optimisation, in half the
-# time. The libraries then run the tests' slow copies of the Eigen templates that both use: not for tests that
-# compute for seconds.
+# ridgeline_test(NAME [LITTLE_COMPUTED] SOURCES a_test.cpp... [DEPENDS t...] [LABELS l...]): one
+# GoogleTest binary. Its cases are found by ctest; with RIDGELINE_TEST_SHARDS the binary runs as so
+# many tests instead, which saves the start of a process for every case. Binaries with the label
+# `slow` are left out without RIDGELINE_BUILD_SLOW_TESTS. With LITTLE_COMPUTED Clang compiles the
+# tests without optimisation, in half the time. The libraries then run the tests' slow copies of the
+# Eigen templates that both use: not for tests that compute for seconds.
 function(ridgeline_test name)
   cmake_parse_arguments(arg "LITTLE_COMPUTED" "" "SOURCES;DEPENDS;LABELS" ${ARGN})
   if("slow" IN_LIST arg_LABELS AND NOT RIDGELINE_BUILD_SLOW_TESTS)
@@ -48,8 +49,9 @@ function(ridgeline_test name)
   add_executable(${name} ${left_out} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} ridgeline_test_support ridgeline_flags ridgeline_test_flags
                         GTest::gmock GTest::gtest_main)
-  # GoogleTest's macros hold __FILE__. It is relative, so that a compiler cache serves every checkout. The precompiled header
-  # is made without this flag, because it would keep the path of its checkout.
+  # GoogleTest's macros hold __FILE__. It is relative, so that a compiler cache serves every
+  # checkout. The precompiled header is made without this flag, because it would keep the path of
+  # its checkout.
   target_compile_options(${name} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=
                          $<$<AND:$<BOOL:${arg_LITTLE_COMPUTED}>,$<CXX_COMPILER_ID:Clang>>:-O0>)
   if(TARGET ridgeline_test_headers)

@@ -73,21 +73,23 @@ struct ImageSighting {
   Segment2 px;  ///< ideal pixels
 };
 
-/// The image segments that a line was made from. They show, independently of the method that made it, where
-/// its edge lies in plan and which plane the edge belongs to.
+/// The image segments that a line was made from. They show, independently of the method that made
+/// it, where its edge lies in plan and which plane the edge belongs to.
 struct ImageEvidence {
-  /// Two or more: the base, then the one that together with it determines best where the line lies, then the others.
+  /// Two or more: the base, then the one that together with it determines best where the line lies,
+  /// then the others.
   std::vector<ImageSighting> sightings;
   std::array<double, 2> height_range_m{};  ///< lowest, highest object height, local
 };
 
-/// Whether both ends lie within 10,000 km of the local origin in x, y and z. A line farther off is a
-/// fault of the file; its length may not even be finite.
+/// Whether both ends lie within 10,000 km of the local origin in x, y and z. A line farther off is
+/// a fault of the file; its length may not even be finite.
 bool in_range(const Segment3& segment_in_local);
 
-/// A line is `out_of_range` if both ends have exactly the same height and it is more than this above or below all points
-/// around the line. That height was not measured: it is a mark for a missing height (0, -9999). A tool's error may be
-/// as large, but it does not give both ends the same height.
+/// A line is `out_of_range` if both ends have exactly the same height and it is more than this
+/// above or below all points around the line. That height was not measured: it is a mark for a
+/// missing height (0, -9999). A tool's error may be as large, but it does not give both ends the
+/// same height.
 inline constexpr double kMaxHeightOffset_m = 100.0;
 
 /// A line to be judged. Local metres.
@@ -100,7 +102,8 @@ struct JudgedLine {
   std::optional<double> epipolar_angle_deg;
   /// Covariance of (start, end), m^2, world axes.
   std::optional<Eigen::Matrix<double, 6, 6>> covariance_m2;
-  /// Direction in plan to the inside of the only surface that the line is the border of, if its file tells: its plane lies there.
+  /// Direction in plan to the inside of the only surface that the line is the border of, if its
+  /// file tells: its plane lies there.
   std::optional<Eigen::Vector2d> inside = {};
   std::optional<ImageEvidence> images =
       {};                       ///< if empty, the line's own plan view is its footprint
@@ -129,14 +132,16 @@ struct RidgeDisplacement {
   Eigen::Matrix2d covariance_m2 = Eigen::Matrix2d::Zero();  ///< of (horizontal, vertical)
 };
 
-/// The judgement of one line. Its planes and its distances, down to the last field, exist only for status `evaluated`.
+/// The judgement of one line. Its planes and its distances, down to the last field, exist only for
+/// status `evaluated`.
 struct LineEvaluation {
   std::string id;
   std::string line_class;
   std::string building;
   Status status = Status::kNoLidar;
   Kind kind = Kind::kNone;
-  /// What the line is most probably an edge of, and next to that; empty where no surface was looked for.
+  /// What the line is most probably an edge of, and next to that; empty where no surface was looked
+  /// for.
   std::optional<Surface> surface, surface_other;
   std::optional<DecidedBy> decided_by;        ///< only of lines that are `evaluated`
   std::optional<double> surface_probability;  ///< of `surface`
@@ -147,7 +152,8 @@ struct LineEvaluation {
   std::optional<double> epipolar_angle_deg;
   std::optional<int> n_images;  ///< that support it, by its file
   std::string class_base;       ///< by the base pair alone, if the file says so
-  /// Where the line lies, by which lines are paired in space. Local; empty for lines that are not in range.
+  /// Where the line lies, by which lines are paired in space. Local; empty for lines that are not
+  /// in range.
   std::optional<Segment3> segment;
 
   /// Mean over the planes of the mean |distance| (Ok et al. 2011).
@@ -155,14 +161,15 @@ struct LineEvaluation {
   std::optional<double> max_distance_m;
   std::optional<double> signed_mean_m;  ///< mean over the planes of the signed mean distance
   std::optional<double> sigma_plane_m;  ///< of the mean distance, by the plane(s) at the midpoint
-  /// Standard deviation of the line's midpoint along the plane's normal (mean of two planes), by covariance_m2.
+  /// Standard deviation of the line's midpoint along the plane's normal (mean of two planes), by
+  /// covariance_m2.
   std::optional<double> sigma_line_m;
   std::optional<double> z;  ///< signed midpoint distance / sqrt(sigma_line^2 + sigma_plane^2)
   /// Ridge only: distance and angle of the line to the planes' intersection line.
   std::optional<double> intersection_distance_m, intersection_angle_deg;
   std::optional<RidgeDisplacement> displacement;  ///< ridge only
-  /// Step only: the error in height if the whole distance were vertical, signed mean / n_z. One plane does not tell the
-  /// horizontal and the vertical part of an error apart.
+  /// Step only: the error in height if the whole distance were vertical, signed mean / n_z. One
+  /// plane does not tell the horizontal and the vertical part of an error apart.
   std::optional<double> height_if_vertical_m;
 };
 

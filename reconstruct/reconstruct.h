@@ -42,9 +42,10 @@ struct Options {
   EstimationOptions estimation;
 };
 
-/// The options for what the papers state without our extensions. The votes of the matching still rest on the
-/// look of single lines. Our calibrated values stand where the papers are silent (weights of the eight
-/// constraints, thresholds of the matching, the detection of edges). Method::kNetwork is not of a paper.
+/// The options for what the papers state without our extensions. The votes of the matching still
+/// rest on the look of single lines. Our calibrated values stand where the papers are silent
+/// (weights of the eight constraints, thresholds of the matching, the detection of edges).
+/// Method::kNetwork is not of a paper.
 Options published();
 
 /// The matches that one matcher, or both together, found for a pair.
@@ -59,8 +60,8 @@ struct PairMatches {
   ViewPair views;
   std::vector<MatchList> lists;  ///< one per matcher, then the combined list if there are two
   std::optional<ChioResult> chio;
-  /// Segments found while matching, in the base and the search view. Their ids go on from those of the view's
-  /// segments.
+  /// Segments found while matching, in the base and the search view. Their ids go on from those of
+  /// the view's segments.
   std::array<std::vector<EdgeSegment>, 2> guided{};
   std::optional<Surface> surface;  ///< none if no option asks for it or the pair has none
 
@@ -69,22 +70,25 @@ struct PairMatches {
 };
 
 struct Reconstruction {
-  /// In the local frame that all lines are in, with images and segments, those found while matching too.
+  /// In the local frame that all lines are in, with images and segments, those found while matching
+  /// too.
   Scene scene;
   std::vector<PairMatches> pairs;  ///< without their surfaces
   std::vector<Track> tracks;
   std::vector<ReconstructedLine> lines;
 };
 
-/// 3D lines of oriented images. The steps are: segments of each view, matches of pairs, tracks of all views,
-/// lines of the tracks with covariance and status (Ok et al. 2011, sections 2 and 3, and Chio and Wang 2000). What
-/// goes beyond the papers is done as the options say; the method is Method::kJoint unless they name another one.
-/// Programs that keep files in between call extract(), match(), tracks_of() and estimate() in this order.
+/// 3D lines of oriented images. The steps are: segments of each view, matches of pairs, tracks of
+/// all views, lines of the tracks with covariance and status (Ok et al. 2011, sections 2 and 3, and
+/// Chio and Wang 2000). What goes beyond the papers is done as the options say; the method is
+/// Method::kJoint unless they name another one. Programs that keep files in between call extract(),
+/// match(), tracks_of() and estimate() in this order.
 /// @param scene  its views have images and no segments
 /// @param pairs  default: pairs_of()
-/// The result is the same for any number of threads. Throws std::invalid_argument for fewer than two views, a
-/// pair that does not name two different views, options or heights out of range, images of other types or
-/// different numbers of bands, and Method::kPlanes for a pair without a surface.
+/// The result is the same for any number of threads. Throws std::invalid_argument for fewer than
+/// two views, a pair that does not name two different views, options or heights out of range,
+/// images of other types or different numbers of bands, and Method::kPlanes for a pair without a
+/// surface.
 Reconstruction reconstruct(Scene scene,
                            const Options& options = {},
                            std::span<const ViewPair> pairs = {});
@@ -96,19 +100,20 @@ void extract(std::span<View> views, const ExtractionOptions& options = {});
 /// The segments of a view by itself.
 std::vector<EdgeSegment> extract(View view, const ExtractionOptions& options = {});
 
-/// The pairs of views to be matched: choose_pairs(), or the first two views alone if the options say so.
+/// The pairs of views to be matched: choose_pairs(), or the first two views alone if the options
+/// say so.
 std::vector<ViewPair> pairs_of(const Scene& scene, const Options& options = {});
 
-/// The matches of a pair of views with segments. The result has its surface, the matches of each matcher, those
-/// of both together (all of `pairwise`, and those of `chio` for the segments that it left unmatched), and guided
-/// ones (guided_matches()).
+/// The matches of a pair of views with segments. The result has its surface, the matches of each
+/// matcher, those of both together (all of `pairwise`, and those of `chio` for the segments that it
+/// left unmatched), and guided ones (guided_matches()).
 PairMatches match(const Scene& scene, const ViewPair& views, const Options& options = {});
 
 /// The surface of a pair that match() uses; nothing if no option asks for it or the pair has none.
 std::optional<Surface> surface_of(const StereoPair& pair, const Options& options = {});
 
-/// Appends the segments that were found while matching to those of the views. Their ids in the matches go on from
-/// those of the pairs before.
+/// Appends the segments that were found while matching to those of the views. Their ids in the
+/// matches go on from those of the pairs before.
 void add_guided(Scene& scene, std::span<PairMatches> pairs);
 
 /// What several views show of one edge each. Of a single pair, track i is match i.

@@ -13,8 +13,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// How the profiles across the base edge of each track and across its other edges compare, by sighting. The first
-/// one is compared with nothing.
+/// How the profiles across the base edge of each track and across its other edges compare, by
+/// sighting. The first one is compared with nothing.
 std::vector<std::vector<ComparedProfiles>> profiles_of(const Scene& scene,
                                                        std::span<const Track> tracks,
                                                        double max_angle_deg) {
@@ -42,8 +42,8 @@ std::vector<std::vector<ComparedProfiles>> profiles_of(const Scene& scene,
   return profiles;
 }
 
-/// The registrations of each track by the profiles across its edges. The base edge is as certain as the one that is
-/// most like it.
+/// The registrations of each track by the profiles across its edges. The base edge is as certain as
+/// the one that is most like it.
 std::vector<Registrations> registrations_by_profiles(const Scene& scene,
                                                      std::span<const Track> tracks,
                                                      const EstimationOptions& options) {

@@ -9,9 +9,10 @@
 
 namespace ridgeline::reconstruct {
 
-/// Where the edges of each track really are and how certain that is, as the options say: by the profiles across them
-/// (compare_profiles(), own_sigma_scale()), then by how well they agree (agreement_sigma_scale()). One per track; empty
-/// if there are no tracks or the options ask for neither.
+/// Where the edges of each track really are and how certain that is, as the options say: by the
+/// profiles across them (compare_profiles(), own_sigma_scale()), then by how well they agree
+/// (agreement_sigma_scale()). One per track; empty if there are no tracks or the options ask for
+/// neither.
 /// @param scene    its views have images
 /// @param tracked  without registrations
 std::vector<Registrations> registrations_of(const Scene& scene,

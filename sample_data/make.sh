@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Makes the sample patches again; the same bytes every time. Usage: sample_data/make.sh PROGRAM [FOLDER]
+# Makes the sample patches again; the same bytes every time. Usage: sample_data/make.sh PROGRAM
+# [FOLDER]
 set -euo pipefail
 program=$(realpath "$1")
 cd "${2:-$(dirname "$0")}"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Step of action.yml: judges the lines, or reconstructs and judges the patches if there are no lines.
+# Step of action.yml: judges the lines, or reconstructs and judges the patches if there are no
+# lines.
 set -euo pipefail
 
 # The lines of a text, without blanks around them and without empty lines.

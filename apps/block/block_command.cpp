@@ -52,8 +52,8 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
-/// Runs tasks one after another, and says after each how long the rest will take. A task that fails is told, and the
-/// others go on.
+/// Runs tasks one after another, and says after each how long the rest will take. A task that fails
+/// is told, and the others go on.
 /// @return the number of tasks that failed
 std::size_t run_tasks(BlockSteps& block, std::size_t first, std::size_t last) {
   using Clock = std::chrono::steady_clock;

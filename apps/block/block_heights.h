@@ -15,12 +15,12 @@ namespace ridgeline::apps {
 /// The heights that the patches of a block search in.
 class BlockHeights {
  public:
-  /// Reads a sample of the LIDAR, at most 2 million points, if the block takes its heights from it. `overlap_m`: see io::BlockFile.
-  /// Throws IoError if no point lies in the area of the block.
+  /// Reads a sample of the LIDAR, at most 2 million points, if the block takes its heights from it.
+  /// `overlap_m`: see io::BlockFile. Throws IoError if no point lies in the area of the block.
   BlockHeights(const io::PatchFile& block, double overlap_m);
 
-  /// As the block states them, else the lowest and highest height in an area and kHeightMargin_m more on both sides; of an area
-  /// without LIDAR those of the whole block.
+  /// As the block states them, else the lowest and highest height in an area and kHeightMargin_m
+  /// more on both sides; of an area without LIDAR those of the whole block.
   [[nodiscard]] std::array<double, 2> range_m(const Eigen::AlignedBox2d& area_m) const;
 
   /// The box of the sample in plan; empty if none was read.

@@ -71,7 +71,8 @@ BlockPlan read_block_plan(const std::string& path);
 /// The file as it is now, with its hash if `with_hash`. Throws IoError if it is missing.
 PlannedFile planned_file(const std::string& role, const std::string& path, bool with_hash);
 
-/// Throws IoError if the file is missing or not what it was. A new time of change alone is no change, if the hash is known.
+/// Throws IoError if the file is missing or not what it was. A new time of change alone is no
+/// change, if the hash is known.
 void check_unchanged(const PlannedFile& file);
 
 }  // namespace ridgeline::apps

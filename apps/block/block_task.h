@@ -25,10 +25,12 @@ class BlockTask {
             const BlockPlan& plan,
             const RunOptions& options);
 
-  /// Whether the task is finished with these options and this plan, and its lines are still as it wrote them.
+  /// Whether the task is finished with these options and this plan, and its lines are still as it
+  /// wrote them.
   [[nodiscard]] bool is_done() const;
 
-  /// Reconstructs the lines of the patch. Throws IoError, also for a frame that has changed since the plan.
+  /// Reconstructs the lines of the patch. Throws IoError, also for a frame that has changed since
+  /// the plan.
   void run(const io::BlockFile& block) const;
 
   [[nodiscard]] std::string patch_path() const { return path("patch.yaml"); }

@@ -12,8 +12,8 @@ struct Foreseen {
   double memory_mib = 0.0;
 };
 
-/// A task that reconstructs, with one thread and the default options. Simulated villages took 1.4 to 3.0 s and 25 to 33 MiB a megapixel.
-/// `windows_mpx`: of all images of the patch.
+/// A task that reconstructs, with one thread and the default options. Simulated villages took 1.4
+/// to 3.0 s and 25 to 33 MiB a megapixel. `windows_mpx`: of all images of the patch.
 constexpr Foreseen foreseen_of_patch(double windows_mpx) {
   constexpr double kSecondsPerMpx = 2.0;
   constexpr double kMibPerMpx = 40.0;
@@ -21,8 +21,8 @@ constexpr Foreseen foreseen_of_patch(double windows_mpx) {
   return {kSecondsPerMpx * windows_mpx, kProgramMib + kMibPerMpx * windows_mpx};
 }
 
-/// Judging takes most of it. `n_patches`: of the block, with a few hundred lines each. `lidar_bytes`: of all files of the cloud, which
-/// is read block by block.
+/// Judging takes most of it. `n_patches`: of the block, with a few hundred lines each.
+/// `lidar_bytes`: of all files of the cloud, which is read block by block.
 constexpr Foreseen foreseen_of_merge(std::size_t n_patches, std::uint64_t lidar_bytes) {
   constexpr double kSecondsPerPatch = 0.5;
   constexpr double kBytesPerSecond = 40e6;  // LAZ; LAS is read faster
@@ -33,8 +33,8 @@ constexpr Foreseen foreseen_of_merge(std::size_t n_patches, std::uint64_t lidar_
           kProgramMib + kMibPerPatch * n};
 }
 
-/// A task that judges lines, and their merge, which reads no points. `evaluate` judges 33,500 lines in 10 million points in 9.3 s
-/// with 612 MB. `points_mib`: what points may take.
+/// A task that judges lines, and their merge, which reads no points. `evaluate` judges 33,500 lines
+/// in 10 million points in 9.3 s with 612 MB. `points_mib`: what points may take.
 constexpr Foreseen foreseen_of_judging(std::size_t n_lines, std::uint64_t points_mib) {
   constexpr double kProgram_s = 10.0;
   constexpr double kSecondsPerLine = 0.001;

@@ -89,8 +89,8 @@ class FramesBlock final : public BlockSteps {
     }
   }
 
-  /// Takes the plan that is there. Throws IoError if it is of another block, or if inputs have changed since. Frames are checked
-  /// by the tasks that use them.
+  /// Takes the plan that is there. Throws IoError if it is of another block, or if inputs have
+  /// changed since. Frames are checked by the tasks that use them.
   void take_plan() {
     plan_ = read_block_plan(plan_path());
     if (plan_->block_file != block_.patch.path) {

@@ -25,12 +25,12 @@ struct LinesBlockOptions {
   PageFacts page;
 };
 
-/// A block of lines to be judged. `block_file` has the key `lines`, see io::read_lines_block(). Its tasks are the cells of
-/// a grid that hold lines, and write `out`/tasks/NNNN.judged. merge() writes into `out` what `evaluate` writes for all
-/// lines, byte for byte but for times; if results of tasks are missing it writes nothing, as the figures are those of all
-/// lines or none. The object serves one thread.
-/// Throws IoError for a fault of the block file or of the parameters, std::invalid_argument for an option out of its
-/// range and for one that a block does not take.
+/// A block of lines to be judged. `block_file` has the key `lines`, see io::read_lines_block(). Its
+/// tasks are the cells of a grid that hold lines, and write `out`/tasks/NNNN.judged. merge() writes
+/// into `out` what `evaluate` writes for all lines, byte for byte but for times; if results of
+/// tasks are missing it writes nothing, as the figures are those of all lines or none. The object
+/// serves one thread. Throws IoError for a fault of the block file or of the parameters,
+/// std::invalid_argument for an option out of its range and for one that a block does not take.
 std::unique_ptr<BlockSteps> make_lines_block(const std::string& block_file,
                                              const std::string& out,
                                              const LinesBlockOptions& options);

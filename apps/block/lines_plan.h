@@ -17,7 +17,8 @@
 
 namespace ridgeline::apps {
 
-/// Lines of one task: those with their middle in a cell. Cells lie at whole multiples of their size in the reference system.
+/// Lines of one task: those with their middle in a cell. Cells lie at whole multiples of their size
+/// in the reference system.
 struct LinesCell {
   std::int64_t column = 0, row = 0;
   std::size_t n_lines = 0;
@@ -25,12 +26,14 @@ struct LinesCell {
   friend bool operator==(const LinesCell&, const LinesCell&) = default;
 };
 
-/// The cells that hold lines, by row and column. A line that is not in_range() counts for the first of them.
+/// The cells that hold lines, by row and column. A line that is not in_range() counts for the first
+/// of them.
 std::vector<LinesCell> cells_of(const results::LineSets& lines,
                                 const LocalFrame& frame,
                                 double size_m);
 
-/// The numbers of the lines of each cell. `cells`: cells_of() the lines. Throws std::invalid_argument for other ones.
+/// The numbers of the lines of each cell. `cells`: cells_of() the lines. Throws
+/// std::invalid_argument for other ones.
 std::vector<results::LineNumbers> numbers_by_cell(const std::vector<LinesCell>& cells,
                                                   const results::LineSets& lines,
                                                   const LocalFrame& frame,
@@ -49,12 +52,12 @@ struct LinesPlan {
 /// Reads plan.json. Throws IoError if there is none or it is damaged.
 LinesPlan read_lines_plan(const std::string& path);
 
-/// Tells whether inputs are still the same. Content decides for files that are read whole, size and time for others. A
-/// hash is computed again only if size or time have changed.
+/// Tells whether inputs are still the same. Content decides for files that are read whole, size and
+/// time for others. A hash is computed again only if size or time have changed.
 class InputStates {
  public:
-  /// Program, block file, inputs and options as they are now, for LinesPlan::made_from. Paths are relative to the folder
-  /// of the block file. Throws IoError for a file that is gone.
+  /// Program, block file, inputs and options as they are now, for LinesPlan::made_from. Paths are
+  /// relative to the folder of the block file. Throws IoError for a file that is gone.
   nlohmann::ordered_json now(const std::string& block_file,
                              const std::vector<results::InputFile>& inputs,
                              nlohmann::ordered_json options);

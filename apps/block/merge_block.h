@@ -10,10 +10,12 @@
 
 namespace ridgeline::apps {
 
-/// Merges what the finished tasks found, judges the merged lines once against all of the LIDAR, and writes into the folder
+/// Merges what the finished tasks found, judges the merged lines once against all of the LIDAR, and
+/// writes into the folder
 ///   lines.METHOD.{geojson,gpkg}   the lines of the block
-///   evaluation.METHOD.json, judged.METHOD.gpkg, table2.*, ...   as `ridgeline evaluate` writes them; a row of each table for the
-///     block, and one for every patch
+///   evaluation.METHOD.json, judged.METHOD.gpkg, table2.*, ...
+///                  as `ridgeline evaluate` writes them; a row of each table for the block, and one
+///                  for every patch
 ///   patches.csv    what became of each patch
 ///   run.json, report.html
 /// Says which patches have no lines, and why.

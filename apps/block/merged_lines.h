@@ -24,10 +24,11 @@ struct MergedCounts {
   std::size_t n_without_place = 0;  ///< lines that tasks could not reconstruct
 };
 
-/// Merges the lines of finished tasks (reconstruct::LineMerger), column by column of the grid, of which it holds a few only.
-/// Lines whose midpoint is outside of the area of the block are left out. Ids become PATCH/ID, and image segments are in pixels of
-/// the whole frames. `patches`: in the order of the plan. `take` gets each line with the number of its patch in BlockPlan::patches, in the
-/// order of the squares. Throws IoError for files that are none of a task.
+/// Merges the lines of finished tasks (reconstruct::LineMerger), column by column of the grid, of
+/// which it holds a few only. Lines whose midpoint is outside of the area of the block are left
+/// out. Ids become PATCH/ID, and image segments are in pixels of the whole frames. `patches`: in
+/// the order of the plan. `take` gets each line with the number of its patch in BlockPlan::patches,
+/// in the order of the squares. Throws IoError for files that are none of a task.
 MergedCounts merge_lines_of(const BlockPlan& plan,
                             const std::vector<FinishedPatch>& patches,
                             const std::function<void(const io::Line&, std::size_t patch)>& take);

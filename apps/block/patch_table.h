@@ -22,8 +22,9 @@ struct PatchOutcome {
 };
 
 /// The text of patches.csv: a row for each patch and method with
-///   patch, method, x_min_m, y_min_m, x_max_m, y_max_m (its square within the area), n_images, images, low_m, high_m (heights searched),
-///   status (done | failed), n_lines, n_evaluated, rms_m, median_m, max_m, n_reference_lines, n_reference_found, reason
+///   patch, method, x_min_m, y_min_m, x_max_m, y_max_m (its square within the area), n_images,
+///   images, low_m, high_m (heights searched), status (done | failed), n_lines, n_evaluated, rms_m,
+///   median_m, max_m, n_reference_lines, n_reference_found, reason
 std::string patches_csv(const BlockPlan& plan,
                         const std::string& method,
                         const std::vector<PatchOutcome>& outcomes,

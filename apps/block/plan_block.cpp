@@ -34,7 +34,8 @@ namespace {
 using reconstruct::GridCell;
 using reconstruct::PatchGrid;
 
-/// Where the rays through the corners of a frame meet a height; nothing if one of them looks above the horizon.
+/// Where the rays through the corners of a frame meet a height; nothing if one of them looks above
+/// the horizon.
 std::vector<Eigen::Vector2d> footprint(const io::PatchImage& image, double height_m) {
   const Eigen::Vector2i size_px =
       image.interior && image.interior->size_px
@@ -53,7 +54,8 @@ std::vector<Eigen::Vector2d> footprint(const io::PatchImage& image, double heigh
   return corners;
 }
 
-/// The box to be cut into squares: that of the area, else of the LIDAR that gives the heights, else of what the images show.
+/// The box to be cut into squares: that of the area, else of the LIDAR that gives the heights, else
+/// of what the images show.
 Eigen::AlignedBox2d extent_of(const io::PatchFile& patch, const BlockHeights& heights) {
   if (!patch.area_m.empty()) return box_around(patch.area_m);
   if (!heights.extent_m().isEmpty()) return heights.extent_m();
@@ -86,7 +88,8 @@ std::vector<GridCell> squares_of(const PatchGrid& grid,
   return squares;
 }
 
-/// The patch of an area, without its images: as the block says, but for what is decided patch by patch.
+/// The patch of an area, without its images: as the block says, but for what is decided patch by
+/// patch.
 io::PatchFile patch_of_area(const io::BlockFile& block,
                             const Eigen::AlignedBox2d& area_m,
                             const std::array<double, 2>& height_range_m) {
@@ -160,7 +163,8 @@ std::vector<std::string> warnings_of(const io::BlockFile& block) {
   return warnings;
 }
 
-/// Frames need a size before their windows are known. Throws IoError for a file that does not fit its camera.
+/// Frames need a size before their windows are known. Throws IoError for a file that does not fit
+/// its camera.
 void read_sizes(io::BlockFile& block) {
   auto& images = block.patch.images;
   tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) {

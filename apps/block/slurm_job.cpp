@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t kMaxElements = 1000;
 /// Slurm takes 0.2 s to start an element.
 constexpr double kMinElementTime_s = 60.0;
-/// Margins over what is foreseen: hosts differ and share their disks; an element may wait for its second attempt; the shell and
-/// libraries need memory, too.
+/// Margins over what is foreseen: hosts differ and share their disks; an element may wait for its
+/// second attempt; the shell and libraries need memory, too.
 constexpr double kTimeMargin = 3.0;
 constexpr double kMoreTime_s = 600.0;
 constexpr double kMemoryMargin = 1.5;
@@ -76,7 +76,8 @@ int limit_mib(double foreseen_mib) {
   return static_cast<int>(std::ceil(kMemoryMargin * foreseen_mib + kMoreMemoryMib));
 }
 
-/// A label, after the folder of the block: #SBATCH lines have rules of their own for blanks and quotes.
+/// A label, after the folder of the block: #SBATCH lines have rules of their own for blanks and
+/// quotes.
 std::string job_name(const SlurmJob& job, std::string_view step) {
   std::string name =
       fmt::format("{}-{}", std::filesystem::path(job.folder).filename().string(), step);
@@ -86,8 +87,8 @@ std::string job_name(const SlurmJob& job, std::string_view step) {
   return name;
 }
 
-/// Paths in #SBATCH lines are relative to DIR, from which submit.sh submits: a `%` or quote in the path of DIR would mean
-/// something else there.
+/// Paths in #SBATCH lines are relative to DIR, from which submit.sh submits: a `%` or quote in the
+/// path of DIR would mean something else there.
 std::string sbatch_lines(const SlurmJob& job, std::string_view step, int mib, int minutes) {
   return fmt::format(
       "#SBATCH --job-name={}\n"

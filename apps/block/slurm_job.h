@@ -22,15 +22,16 @@ struct SlurmJob {
   double merge_mib = 0.0;          ///< foreseen
 };
 
-/// tasks.sbatch: an array of at most 1000 elements, which is what Slurm takes by default. An element does several tasks
-/// where one would end within a minute: Slurm needs a moment for each element.
+/// tasks.sbatch: an array of at most 1000 elements, which is what Slurm takes by default. An
+/// element does several tasks where one would end within a minute: Slurm needs a moment for each
+/// element.
 std::string tasks_script(const SlurmJob& job);
 
 /// merge.sbatch: one job that merges the results of all tasks.
 std::string merge_script(const SlurmJob& job);
 
-/// submit.sh: submits both jobs, the merge after the end of all tasks, failed ones as well. It passes its arguments on to
-/// both calls of sbatch.
+/// submit.sh: submits both jobs, the merge after the end of all tasks, failed ones as well. It
+/// passes its arguments on to both calls of sbatch.
 std::string submit_script(const SlurmJob& job);
 
 /// parallel.sh: the same tasks and the merge by GNU parallel, to which it passes its arguments on.

@@ -33,7 +33,8 @@ std::string counted(std::size_t n, const char* noun, const char* plural) {
 
 std::string lines(std::size_t n) { return counted(n, "line", "lines"); }
 
-/// How many lines were reconstructed: "57 lines", or "57 lines by direct, 55 lines by joint" if the methods differ.
+/// How many lines were reconstructed: "57 lines", or "57 lines by direct, 55 lines by joint" if the
+/// methods differ.
 std::string lines_text(std::span<const Evaluation> evaluations) {
   std::set<std::size_t> different;
   std::vector<std::string> texts;
@@ -81,7 +82,8 @@ std::string why_none_is_judged(const PatchCounts& counts, std::span<const Evalua
   return statuses_text(evaluations);
 }
 
-/// The smallest median distance of the methods; nothing unless each method has enough judged lines for a median.
+/// The smallest median distance of the methods; nothing unless each method has enough judged lines
+/// for a median.
 std::optional<double> least_median_m(std::span<const Evaluation> evaluations) {
   constexpr std::size_t kMinLines = 10;
   std::optional<double> least;

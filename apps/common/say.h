@@ -10,7 +10,8 @@
 
 namespace ridgeline::apps {
 
-/// Prints a summary of what a command wrote to stdout; nothing with --quiet. Answers that a command is called for
+/// Prints a summary of what a command wrote to stdout; nothing with --quiet. Answers that a command
+/// is called for
 /// (`info`, `gate`, `compare`) are printed whatever is set.
 template <typename... Values>
 void say(fmt::format_string<Values...> format, Values&&... values) {

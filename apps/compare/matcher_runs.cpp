@@ -31,7 +31,8 @@ struct PatchOfRun {
 
 const nlohmann::json::json_pointer kPropagateHeights("/match/propagate_heights");
 
-/// The options in the run.json of a folder; nothing if the file is missing or its options name no matchers.
+/// The options in the run.json of a folder; nothing if the file is missing or its options name no
+/// matchers.
 std::optional<nlohmann::json> options_of(const std::string& folder) {
   const fs::path file = fs::path(folder) / "run.json";
   if (!fs::exists(file)) return std::nullopt;
@@ -75,8 +76,8 @@ std::map<Pair, std::string> verdicts_in(const fs::path& file) {
   return verdicts;
 }
 
-/// Calls `visit(table, row)` for the rows of a patch. A missing file has no rows, as runs without reference lines do not
-/// write every table.
+/// Calls `visit(table, row)` for the rows of a patch. A missing file has no rows, as runs without
+/// reference lines do not write every table.
 template <typename Visit>
 void for_rows_of(const fs::path& file, const std::string& patch, const Visit& visit) {
   if (!fs::exists(file)) return;

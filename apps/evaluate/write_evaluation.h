@@ -25,8 +25,8 @@ struct EvaluationOutput {
 std::vector<results::InputFile> inputs_of(const results::JudgeFilesOptions& options,
                                           const std::string& config);
 
-/// Writes all files of a judgement, run.json and the report as well, and says on the terminal what came out.
-/// Throws IoError if a file cannot be written.
+/// Writes all files of a judgement, run.json and the report as well, and says on the terminal what
+/// came out. Throws IoError if a file cannot be written.
 void write_evaluation(const results::JudgedFiles& judged,
                       const results::JudgeFilesOptions& options,
                       const std::vector<results::InputFile>& inputs,

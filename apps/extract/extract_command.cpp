@@ -27,7 +27,8 @@ struct ExtractArguments {
   ParameterArguments parameters;
 };
 
-/// The image of the patch with the id of --image-id; without an id, the one whose file is extracted.
+/// The image of the patch with the id of --image-id; without an id, the one whose file is
+/// extracted.
 io::PatchImage camera_of(const ExtractArguments& a) {
   const io::PatchFile patch = read_patch(a.patch);
   inform_of(patch.decisions);

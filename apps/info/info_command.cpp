@@ -44,14 +44,16 @@ constexpr const char* kKnownKinds =
     "segments, and folders of "
     "patches and of results";
 
-/// The unit of the file, with the name that the reference system gives it if both have the same unit.
+/// The unit of the file, with the name that the reference system gives it if both have the same
+/// unit.
 std::string unit_text(double unit_m, double crs_unit_m, const std::string& crs_unit_name) {
   if (io::same_unit(unit_m, crs_unit_m))
     return fmt::format("{} ({:.12g} m)", crs_unit_name, unit_m);
   return io::unit_text(unit_m);
 }
 
-/// `unit_m`: the unit of each axis. Unit keys of a file may state another unit than its reference system.
+/// `unit_m`: the unit of each axis. Unit keys of a file may state another unit than its reference
+/// system.
 void print_crs(const io::CrsFacts& crs, const Eigen::Vector3d& unit_m, bool states_unit) {
   fmt::print("  crs         {}\n", crs.name);
   if (!states_unit) {
@@ -286,8 +288,8 @@ bool is_line_ply(const std::string& path) {
   return false;
 }
 
-/// Text files hold a cloud or a tool's lines: lines are tried first, as their formats are stricter. A CSV that is neither
-/// is more likely to have been meant for lines.
+/// Text files hold a cloud or a tool's lines: lines are tried first, as their formats are stricter.
+/// A CSV that is neither is more likely to have been meant for lines.
 void print_text_file(const std::string& path, bool is_csv, double max_resolution_m) {
   try {
     print_lines(path);
@@ -312,7 +314,8 @@ void print_patches(const std::string& folder, const io::FileKind& kind) {
   print_use(fmt::format("ridgeline run {} --out results", fmt::join(files, " ")));
 }
 
-/// Whether a file has an ending of line files. If its kind is not known, the readers of lines say what is wrong with it.
+/// Whether a file has an ending of line files. If its kind is not known, the readers of lines say
+/// what is wrong with it.
 bool is_named_as_lines(const std::string& path) {
   constexpr std::array kEndings{".geojson", ".json", ".gpkg", ".shp", ".dxf", ".obj",
                                 ".ply",     ".wkt",  ".bin",  ".npy", ".stl"};

@@ -18,8 +18,9 @@ struct OrientationArguments {
   std::optional<double> ground_height_m;
 };
 
-/// Prints what an orientation holds and what was decided in reading it, and writes the map if one is asked for.
-/// Throws IoError as io::read_orientation() does, and if the map needs a height of the ground.
+/// Prints what an orientation holds and what was decided in reading it, and writes the map if one
+/// is asked for. Throws IoError as io::read_orientation() does, and if the map needs a height of
+/// the ground.
 void print_orientation(const std::string& path, const OrientationArguments& arguments);
 
 }  // namespace ridgeline::apps

@@ -50,8 +50,8 @@ void print_summary(std::span<const reconstruct::View> views,
   }
 }
 
-/// Prints the numbers of lines as Chio and Wang 2000 count them: by the first two processes, by the third and fourth, and
-/// with the relaxed limit.
+/// Prints the numbers of lines as Chio and Wang 2000 count them: by the first two processes, by the
+/// third and fourth, and with the relaxed limit.
 void print_processes(const reconstruct::ChioResult& result,
                      const reconstruct::ChioOptions& options) {
   const auto count = [&](auto holds) {
@@ -67,7 +67,8 @@ void print_processes(const reconstruct::ChioResult& result,
       count([](const Acquired& a) { return a.relaxed; }));
 }
 
-/// The files of the segments that the matches speak of. None stand beside a device such as /dev/stdout.
+/// The files of the segments that the matches speak of. None stand beside a device such as
+/// /dev/stdout.
 std::vector<std::string> segment_files(const MatchArguments& a, const io::PatchFile& patch) {
   namespace fs = std::filesystem;
   const bool is_device = fs::exists(a.out) && !fs::is_regular_file(a.out);

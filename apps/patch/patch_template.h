@@ -8,7 +8,8 @@
 
 namespace ridgeline::apps {
 
-/// What a new patch file states. Empty texts and lists are left out; paths are absolute or relative to the working folder.
+/// What a new patch file states. Empty texts and lists are left out; paths are absolute or relative
+/// to the working folder.
 struct PatchTemplate {
   std::string id;
   std::string crs;

@@ -18,8 +18,8 @@ struct AreaHeights {
 /// Added to both sides of the heights, m.
 constexpr double kHeightMargin_m = 10.0;
 
-/// The lowest and the highest height; groups that hold fewer than a thousandth of the heights and are more than
-/// kHeightMargin_m from all others are left out. `heights_m` must not be empty.
+/// The lowest and the highest height; groups that hold fewer than a thousandth of the heights and
+/// are more than kHeightMargin_m from all others are left out. `heights_m` must not be empty.
 std::array<double, 2> height_limits_m(std::span<const double> heights_m);
 
 /// See complete_patch().

@@ -26,7 +26,8 @@ class Area {
     return {middle_.x(), middle_.y(), 0.5 * (patch_.height_range_m[0] + patch_.height_range_m[1])};
   }
 
-  /// Points spread over the area at the middle of the heights: on three rings of the shape of its border, and in its middle.
+  /// Points spread over the area at the middle of the heights: on three rings of the shape of its
+  /// border, and in its middle.
   [[nodiscard]] Points points_in_local() const {
     constexpr int kRings = 3;
     constexpr int kPerSide = 4;
@@ -78,7 +79,8 @@ std::optional<Eigen::Vector2d> shown_at(const io::PatchImage& image,
   return distorted_px(*image.interior, ideal + image.window_px) - image.window_px;
 }
 
-/// The corners of the area and points between them, as a lens bends its sides, at the lowest and the highest height.
+/// The corners of the area and points between them, as a lens bends its sides, at the lowest and
+/// the highest height.
 Points border_in_local(const io::PatchFile& patch, const Eigen::Vector3d& origin_m) {
   constexpr int kPerSide = 8;
   Points border;

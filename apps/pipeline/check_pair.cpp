@@ -66,8 +66,9 @@ PairFit fit_under(const CheckedPair& pair, const PairReading& reading) {
   return reconstruct::fit_of_pair(seen, pair.geometry, pair.limit_px);
 }
 
-/// Where epipolar lines are nearly parallel, points of swapped or turned images lie near them as well, but at other heights
-/// or a little farther off. Readings of another size are left out: half a disparity is a height like any other.
+/// Where epipolar lines are nearly parallel, points of swapped or turned images lie near them as
+/// well, but at other heights or a little farther off. Readings of another size are left out: half
+/// a disparity is a height like any other.
 bool fits_far_better(const PairFit& other, const PairFit& given, const PairReading& reading) {
   constexpr double kMoreFit = 1.5;
   constexpr double kNearer = 3.0;
@@ -107,8 +108,8 @@ bool fits_far_better(const PairFit& other, const PairFit& given, const PairReadi
                   100.0 * fit.share_that_fits, better));
 }
 
-/// The fewest points that tell whether a pair fits. Some points are found in both images by chance, and more of them the less
-/// the images share: below this number they could outvote the others.
+/// The fewest points that tell whether a pair fits. Some points are found in both images by chance,
+/// and more of them the less the images share: below this number they could outvote the others.
 std::size_t fewest_points(const CheckedPair& pair) {
   constexpr double kOfEqualImages = 30.0;
   constexpr double kMinShare = 0.1;
@@ -151,7 +152,8 @@ double pixel_on_object_m(const reconstruct::View& view, const std::array<double,
   return (on_object(middle_px + Eigen::Vector2d::UnitX()) - on_object(middle_px)).norm();
 }
 
-/// A warning of images so close or so far that the units of the patch are hardly metres, as many limits of the program are.
+/// A warning of images so close or so far that the units of the patch are hardly metres, as many
+/// limits of the program are.
 std::optional<std::string> doubt_of_units(const io::PatchFile& patch,
                                           const reconstruct::Scene& scene) {
   constexpr double kMinPixel_m = 0.002;
@@ -166,7 +168,8 @@ std::optional<std::string> doubt_of_units(const io::PatchFile& patch,
       patch.path, view.id, pixel_m);
 }
 
-/// A warning of a pair whose base is so short that heights are uncertain, or so long that surfaces look different.
+/// A warning of a pair whose base is so short that heights are uncertain, or so long that surfaces
+/// look different.
 std::optional<std::string> doubt_of_base(const io::PatchFile& patch,
                                          const reconstruct::Scene& scene,
                                          const ViewPair& pair) {

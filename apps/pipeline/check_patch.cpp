@@ -83,7 +83,8 @@ void check_segments(const io::PatchFile& patch,
   (void)io::read_own_segments(*image.segments, patch.segment_sigma_px, size_of_file(image, facts));
 }
 
-/// Both limits of height must lie in front of the camera, on the ray through the middle of the image.
+/// Both limits of height must lie in front of the camera, on the ray through the middle of the
+/// image.
 void check_heights(const io::PatchFile& patch,
                    const io::PatchImage& image,
                    const Eigen::Vector2i& size_px) {
@@ -122,8 +123,8 @@ bool is_file_name(const std::string& id) {
   });
 }
 
-/// Whether an id begins like a file of the results, with one of these names and a dot or an underscore. A patch of that id
-/// could write over the file.
+/// Whether an id begins like a file of the results, with one of these names and a dot or an
+/// underscore. A patch of that id could write over the file.
 bool is_name_of_result(const std::string& id) {
   const std::array<std::string, 6> results{"table1", "table2",    "run",
                                            "report", "reference", "tolerances"};

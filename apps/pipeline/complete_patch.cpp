@@ -82,8 +82,8 @@ void settle_turn(io::PatchFile& patch, io::PatchImage& image) {
       image.path, static_cast<int>(image.turn), frame.x(), frame.y()));
 }
 
-/// Columns and rows of a file when it has been turned; of a file that is missing those of its camera. Throws IoError if
-/// nothing tells them.
+/// Columns and rows of a file when it has been turned; of a file that is missing those of its
+/// camera. Throws IoError if nothing tells them.
 Eigen::Vector2i turned_size_px(const io::PatchImage& image) {
   if (!image.facts && image.interior && image.interior->size_px) return *image.interior->size_px;
   const io::ImageFacts facts = image.facts ? *image.facts : io::image_facts(image.path);

@@ -20,19 +20,21 @@ void check_segment_ids(const std::string& file,
                        std::span<const LineMatch> matches,
                        const std::array<std::vector<EdgeSegment>, 2>& segments);
 
-/// Reads a matches.csv, whose ids are those of these segments. Throws IoError as read_matches() and check_segment_ids().
+/// Reads a matches.csv, whose ids are those of these segments. Throws IoError as read_matches() and
+/// check_segment_ids().
 std::vector<LineMatch> read_line_matches(const std::string& file,
                                          const std::array<std::vector<EdgeSegment>, 2>& segments);
 
-/// Compares the matches of a patch with its reference matches; nothing if the patch has none. Throws IoError for a fault of
-/// the reference file, for example ids that no segments have.
+/// Compares the matches of a patch with its reference matches; nothing if the patch has none.
+/// Throws IoError for a fault of the reference file, for example ids that no segments have.
 std::optional<evaluate::MatchingScore> score_patch_matches(
     const io::PatchFile& patch,
     const std::array<std::vector<EdgeSegment>, 2>& segments,
     std::span<const LineMatch> matches);
 
-/// What the reference tracks of the patch say of tracks; empty if it has none. The first `n_views` images are those that
-/// the tracks are of; of the others nothing counts. An edge is aligned up to this angle in every pair of its images.
+/// What the reference tracks of the patch say of tracks; empty if it has none. The first `n_views`
+/// images are those that the tracks are of; of the others nothing counts. An edge is aligned up to
+/// this angle in every pair of its images.
 std::optional<evaluate::TracksScore> score_patch_tracks(
     const io::PatchFile& patch,
     std::size_t n_views,

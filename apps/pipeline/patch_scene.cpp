@@ -14,7 +14,8 @@
 namespace ridgeline::apps {
 namespace {
 
-/// The map that removes the distortion of the lens; empty if there is none. The view must outlive it.
+/// The map that removes the distortion of the lens; empty if there is none. The view must outlive
+/// it.
 PixelMap ideal_from_image(const io::PatchImage& view) {
   if (!view.interior || view.interior->distortion.is_zero()) return {};
   return [&view](const Eigen::Vector2d& x_px) { return io::undistorted_px(view, x_px); };

@@ -12,13 +12,14 @@
 
 namespace ridgeline::apps {
 
-/// The first two images of a patch are its base pair, the one that Table 1 and the PNG figures of the report show.
+/// The first two images of a patch are its base pair, the one that Table 1 and the PNG figures of
+/// the report show.
 inline constexpr ViewPair kPairOfPatch{0, 1};
 
 /// What is read of an image of a patch.
 struct PatchPicture {
-  cv::Mat
-      image;  ///< normalised, by the radiometry that the patch states, else by that of the whole file
+  cv::Mat image;     ///< normalised, by the radiometry that the patch states, else by that of the
+                     ///< whole file
   cv::Mat is_valid;  ///< reconstruct::View::is_valid
 };
 PatchPicture read_image(const io::PatchImage& image, double max_mpx);
@@ -44,8 +45,8 @@ reconstruct::Scene patch_scene(const io::PatchFile& patch,
 std::vector<std::string> unused_segments(const io::PatchFile& patch,
                                          const reconstruct::Scene& scene);
 
-/// The names that the files of an image's segments have in the folder of a run: edges_file() holds the extracted segments,
-/// segments_file() these and the ones found while matching.
+/// The names that the files of an image's segments have in the folder of a run: edges_file() holds
+/// the extracted segments, segments_file() these and the ones found while matching.
 std::string edges_file(const io::PatchImage& image);
 std::string segments_file(const io::PatchImage& image);
 

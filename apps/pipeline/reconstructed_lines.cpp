@@ -33,8 +33,8 @@ bool is_of_match(const reconstruct::ReconstructedLine& line) {
   return line.seen[0].sighting.segment >= 0;
 }
 
-/// The number of the match, "17"; with that of the part, "17.2", if the match shows several lines. An intersection of planes
-/// has `p` and a number.
+/// The number of the match, "17"; with that of the part, "17.2", if the match shows several lines.
+/// An intersection of planes has `p` and a number.
 std::string line_id(const reconstruct::ReconstructedLine& line, std::size_t number) {
   if (!is_of_match(line)) return fmt::format("p{}", number);
   return line.part == 0 ? std::to_string(number) : fmt::format("{}.{}", number, line.part);
@@ -53,8 +53,8 @@ void set_pair(const reconstruct::ReconstructedLine& line, io::Line& out) {
   }
 }
 
-/// The class by the cameras of the base pair, the first two views: of the segments that it shows, else of the line in
-/// space; empty if there is neither.
+/// The class by the cameras of the base pair, the first two views: of the segments that it shows,
+/// else of the line in space; empty if there is neither.
 std::string class_by_base_pair(const reconstruct::ReconstructedLine& line,
                                const reconstruct::Scene& scene,
                                const io::Line& out,

@@ -14,8 +14,8 @@ namespace ridgeline::apps {
 inline constexpr const char* kStagesFile = "stages.json";
 
 /// What is finished of a patch, for `--resume`: stages.json in its folder holds for every stage the
-/// key that it was run with and the hashes of the files that it wrote. A stage is done if its key is
-/// the same and its files are still as they were written.
+/// key that it was run with and the hashes of the files that it wrote. A stage is done if its key
+/// is the same and its files are still as they were written.
 class StageCache {
  public:
   /// No stage counts as done if `resume` is false or stages.json cannot be read.
@@ -27,7 +27,8 @@ class StageCache {
   [[nodiscard]] std::optional<std::string> written_file(const std::string& stage,
                                                         const std::string& name) const;
 
-  /// Records that the stage is done, with its key and the files that it has written (names within the folder).
+  /// Records that the stage is done, with its key and the files that it has written (names within
+  /// the folder).
   void set_done(const std::string& stage,
                 const std::string& key,
                 const std::vector<std::string>& files);

@@ -54,7 +54,8 @@ pybind11::array_t<double> number_array(const Rows& rows, const Number& number) {
   return array;
 }
 
-/// An array (n, R, C) of matrix_of(row), an optional matrix, for every row; missing matrices are NaN.
+/// An array (n, R, C) of matrix_of(row), an optional matrix, for every row; missing matrices are
+/// NaN.
 template <int R, int C, typename Rows, typename MatrixOf>
 pybind11::array_t<double> matrix_array(const Rows& rows, const MatrixOf& matrix_of) {
   pybind11::array_t<double> array = nan_array({static_cast<pybind11::ssize_t>(rows.size()), R, C});
@@ -75,8 +76,8 @@ std::optional<Eigen::Matrix<double, R, C>> matrix_at(const Array<double>& array,
   return Eigen::Map<const RowMajor<R, C>>{in};
 }
 
-/// An entry of a dict of arrays as an array of that shape (-1: any length); nothing for None and a missing key.
-/// Throws std::invalid_argument naming the entry for another shape.
+/// An entry of a dict of arrays as an array of that shape (-1: any length); nothing for None and a
+/// missing key. Throws std::invalid_argument naming the entry for another shape.
 std::optional<Array<double>> find_array(const pybind11::dict& entries,
                                         const char* name,
                                         const std::vector<pybind11::ssize_t>& shape);

@@ -54,7 +54,8 @@ std::vector<io::TableColumn> coordinate_columns() {
           {PointAttribute::kZ, ScalarType::kFloat64, 2 * kSize, kRow}};
 }
 
-/// Turns coordinates back into the units of the files, because reading them has made metres of feet.
+/// Turns coordinates back into the units of the files, because reading them has made metres of
+/// feet.
 void restore_units(io::PointCloud& cloud) {
   const double h = cloud.horizontal_unit_m, v = cloud.vertical_unit_m;
   if (h == 1.0 && v == 1.0) return;

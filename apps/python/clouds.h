@@ -11,8 +11,9 @@
 
 namespace ridgeline::python {
 
-/// The options of the entries assume_crs, bounds, classes, include_withheld, last_returns, max_points, max_resolution_m,
-/// salvage and strict; each may be missing. Throws std::invalid_argument for an impossible value.
+/// The options of the entries assume_crs, bounds, classes, include_withheld, last_returns,
+/// max_points, max_resolution_m, salvage and strict; each may be missing. Throws
+/// std::invalid_argument for an impossible value.
 io::ReadOptions read_options(const pybind11::dict& entries);
 
 /// Points that lie in an array, which must outlive this.
@@ -22,11 +23,12 @@ struct PointsInMemory {
   io::Crs crs{};
 };
 
-/// The points of an array that read_cloud() returned or that holds doubles (n, 3). Throws std::invalid_argument for any
-/// other array.
+/// The points of an array that read_cloud() returned or that holds doubles (n, 3). Throws
+/// std::invalid_argument for any other array.
 PointsInMemory points_in_memory(const pybind11::array& array);
 
-/// A cloud source that reads the points. Throws std::invalid_argument for a reference system that PROJ cannot read.
+/// A cloud source that reads the points. Throws std::invalid_argument for a reference system that
+/// PROJ cannot read.
 std::unique_ptr<io::CloudSource> open_points(const PointsInMemory& points, const io::Crs& crs);
 
 }  // namespace ridgeline::python

@@ -19,8 +19,8 @@ constexpr const char* name_of_type() {
   return "a list of numbers or texts";
 }
 
-/// Sets `value` if the dict has an entry of that name other than None. Throws std::invalid_argument for a number out of
-/// the type's range, TypeError for a value of another type.
+/// Sets `value` if the dict has an entry of that name other than None. Throws std::invalid_argument
+/// for a number out of the type's range, TypeError for a value of another type.
 template <typename T>
 void take(const pybind11::dict& entries, const char* name, T& value) {
   if (!entries.contains(name) || entries[name].is_none()) return;

@@ -144,8 +144,8 @@ void take_crs(const io::Crs& of_cloud, const LineSource& source, io::LineSet& se
   if (std::holds_alternative<io::LineSet>(source) && !set.crs.known()) set.crs = of_cloud;
 }
 
-/// Judges lines. `lines`, `references`: path, dict of arrays, or None (references only). `cloud`: list of paths, or an array
-/// whose reference system is an entry `cloud_crs`.
+/// Judges lines. `lines`, `references`: path, dict of arrays, or None (references only). `cloud`:
+/// list of paths, or an array whose reference system is an entry `cloud_crs`.
 Judged evaluate_lines(const py::object& lines,
                       const py::object& cloud,
                       const py::object& references,

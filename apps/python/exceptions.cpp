@@ -19,15 +19,16 @@ namespace {
 
 py::handle file_error;
 
-/// The Python type of an error. A fault of data in memory is a ValueError of the caller, all others are faults of files.
+/// The Python type of an error. A fault of data in memory is a ValueError of the caller, all others
+/// are faults of files.
 PyObject* type_of(const io::IoError& error) {
   if (is_in_memory(error.path())) return PyExc_ValueError;
   const bool is_missing = dynamic_cast<const io::MissingFileError*>(&error) != nullptr;
   return is_missing ? PyExc_FileNotFoundError : file_error.ptr();
 }
 
-/// The message without line numbers if the data are in memory: there, gates are written one per line and a config on a
-/// single line.
+/// The message without line numbers if the data are in memory: there, gates are written one per
+/// line and a config on a single line.
 std::string without_lines(const io::IoError& error) {
   std::string text = error.what();
   if (error.path() == kGatesInMemory)
@@ -54,8 +55,9 @@ std::string with_arguments(const std::string& message) {
 
 }  // namespace
 
-/// Turns errors of C++ into those of Python: a missing file raises FileNotFoundError, another fault of a file InputFileError
-/// (an OSError), a fault of the caller ValueError, work that the end of Python stops SystemExit.
+/// Turns errors of C++ into those of Python: a missing file raises FileNotFoundError, another fault
+/// of a file InputFileError (an OSError), a fault of the caller ValueError, work that the end of
+/// Python stops SystemExit.
 void add_exceptions(py::module_& core) {
   file_error = py::exception<io::IoError>(core, "InputFileError", PyExc_OSError).release();
   file_error.attr("__doc__") =

@@ -13,11 +13,13 @@
 
 namespace ridgeline::python {
 
-/// A call that works without the GIL; it is made and destroyed while its thread has the GIL, which guards the count.
+/// A call that works without the GIL; it is made and destroyed while its thread has the GIL, which
+/// guards the count.
 ///
-/// Python does not wait for daemon threads. If one of them worked in C++ while the process ends, its TBB tasks would use
-/// globals of libraries that are destroyed already, and taking the GIL again would end the thread amid C++ frames: either
-/// crashes the process. Therefore end_others() runs at exit, while threads can still take the GIL.
+/// Python does not wait for daemon threads. If one of them worked in C++ while the process ends,
+/// its TBB tasks would use globals of libraries that are destroyed already, and taking the GIL
+/// again would end the thread amid C++ frames: either crashes the process. Therefore end_others()
+/// runs at exit, while threads can still take the GIL.
 class RunningCall {
  public:
   /// Throws Interrupted if is_over().
@@ -44,8 +46,8 @@ inline bool is_main_thread() {
   return threading.attr("current_thread")().is(threading.attr("main_thread")());
 }
 
-/// Does the work outside of the main thread. If a Ctrl-C for the work of the main thread stops it, it begins anew. Throws
-/// Interrupted if Python ends meanwhile.
+/// Does the work outside of the main thread. If a Ctrl-C for the work of the main thread stops it,
+/// it begins anew. Throws Interrupted if Python ends meanwhile.
 template <typename Work>
 std::invoke_result_t<Work> uninterrupted(const Work& work) {
   constexpr std::chrono::milliseconds kBetweenLooks{1};
@@ -62,8 +64,8 @@ std::invoke_result_t<Work> uninterrupted(const Work& work) {
   }
 }
 
-/// Does the work in a thread of its own; meanwhile Python's signal handlers run, and if one raises, the work is stopped.
-/// The caller must not hold the GIL.
+/// Does the work in a thread of its own; meanwhile Python's signal handlers run, and if one raises,
+/// the work is stopped. The caller must not hold the GIL.
 template <typename Work>
 std::invoke_result_t<Work> in_a_thread(const Work& work) {
   namespace py = pybind11;
@@ -84,9 +86,10 @@ std::invoke_result_t<Work> in_a_thread(const Work& work) {
   return result.get();
 }
 
-/// Does the work without the GIL, so that Python's other threads go on. In the main thread Ctrl-C stops it and raises
-/// KeyboardInterrupt. In any other thread the end of Python stops it: Interrupted is thrown, which becomes SystemExit. All work
-/// without the GIL must go through here. The work must not touch Python's objects, and must be able to begin anew.
+/// Does the work without the GIL, so that Python's other threads go on. In the main thread Ctrl-C
+/// stops it and raises KeyboardInterrupt. In any other thread the end of Python stops it:
+/// Interrupted is thrown, which becomes SystemExit. All work without the GIL must go through here.
+/// The work must not touch Python's objects, and must be able to begin anew.
 template <typename Work>
 std::invoke_result_t<Work> interruptibly(const Work& work) {
   const RunningCall running;

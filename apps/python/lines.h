@@ -7,13 +7,13 @@
 
 namespace ridgeline::python {
 
-/// A set of lines as a dict. Arrays: segments (n, 2, 3), covariance_m2 (n, 6, 6), left_px and right_px (n, 2, 2),
-/// epipolar_angle_deg (n). Lists of n texts: ids, line_class, status, method, kind, building. A text: crs. Missing numbers
-/// are NaN, missing texts "".
+/// A set of lines as a dict. Arrays: segments (n, 2, 3), covariance_m2 (n, 6, 6), left_px and
+/// right_px (n, 2, 2), epipolar_angle_deg (n). Lists of n texts: ids, line_class, status, method,
+/// kind, building. A text: crs. Missing numbers are NaN, missing texts "".
 pybind11::dict dict_of(const io::LineSet& set);
 
-/// The set of lines of such a dict, of which all but `segments` may be missing. Messages give `name` in place of a path.
-/// Throws std::invalid_argument for arrays of another shape.
+/// The set of lines of such a dict, of which all but `segments` may be missing. Messages give
+/// `name` in place of a path. Throws std::invalid_argument for arrays of another shape.
 io::LineSet line_set_of(const pybind11::dict& arrays, const std::string& name);
 
 }  // namespace ridgeline::python

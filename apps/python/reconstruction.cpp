@@ -47,7 +47,8 @@ reconstruct::Options options_of(const py::dict& entries) {
   return options;
 }
 
-/// The lines of a patch. `read` gives the normalised images, which are checked against their cameras.
+/// The lines of a patch. `read` gives the normalised images, which are checked against their
+/// cameras.
 template <typename Read>
 py::dict lines_of(const io::PatchFile& patch,
                   const reconstruct::Options& options,
@@ -67,7 +68,8 @@ py::dict lines_of(const io::PatchFile& patch,
   }));
 }
 
-/// The lines of views in memory. `entries`: those of patch_of_views(), and `images`, a list of contiguous arrays.
+/// The lines of views in memory. `entries`: those of patch_of_views(), and `images`, a list of
+/// contiguous arrays.
 py::dict reconstruct_views(const py::dict& entries) {
   const io::PatchFile patch = patch_of_views(entries);
   const auto arrays = entries["images"].cast<std::vector<py::array>>();

@@ -10,12 +10,12 @@
 
 namespace ridgeline::python {
 
-/// Oriented images in memory as a patch without files. Entries: `views`, a list of tuples (id, 3x4 matrix),
-/// `height_range_m` and `crs`. Throws std::invalid_argument for impossible values.
+/// Oriented images in memory as a patch without files. Entries: `views`, a list of tuples (id, 3x4
+/// matrix), `height_range_m` and `crs`. Throws std::invalid_argument for impossible values.
 io::PatchFile patch_of_views(const pybind11::dict& entries);
 
-/// The pixels of an array (height, width) or (height, width, bands) of uint8 or uint16, which must outlive it. Throws
-/// std::invalid_argument naming `id` for another array.
+/// The pixels of an array (height, width) or (height, width, bands) of uint8 or uint16, which must
+/// outlive it. Throws std::invalid_argument naming `id` for another array.
 cv::Mat image_of(const pybind11::array& array, const std::string& id);
 
 }  // namespace ridgeline::python

@@ -84,7 +84,8 @@ void draw_scale(cv::Mat& page, const FigureFrame& frame, int y, const Layout& at
   at.write(page, fmt::format("{:g} m{}", bar_m, note), {right.x + at.px(14), y + at.px(10)});
 }
 
-/// The number of pixel rows that the legend needs, measured by drawing it onto a page that is thrown away.
+/// The number of pixel rows that the legend needs, measured by drawing it onto a page that is
+/// thrown away.
 int legend_height(int cols, const std::vector<LegendEntry>& legend, const Layout& at) {
   cv::Mat page(1, cols, CV_8UC3);
   return legend.empty() ? 0 : draw_legend(page, legend, 0, at) + at.px(10);

@@ -7,7 +7,8 @@
 
 namespace ridgeline::apps {
 
-/// The figures of the paper for one patch, CV_8UC3, drawn without a browser, each with title, legend and scale bar.
+/// The figures of the paper for one patch, CV_8UC3, drawn without a browser, each with title,
+/// legend and scale bar.
 
 /// Fig. 1: the segments of the base image, those aligned with the epipolar line in red.
 cv::Mat figure1(const ReportPatch& patch);

@@ -18,8 +18,8 @@ std::optional<int> index_of(std::string_view id) {
   return index;
 }
 
-/// The track that a line was made from: lines "17" and "17.2" from track 17. Nothing if the track has not the line's
-/// images.
+/// The track that a line was made from: lines "17" and "17.2" from track 17. Nothing if the track
+/// has not the line's images.
 const Track* track_of(const ReportPatch& patch, const io::Line& line) {
   const auto number = index_of(std::string_view(line.id).substr(0, line.id.find('.')));
   if (!patch.images || !number) return nullptr;
@@ -65,7 +65,8 @@ LineInView sighted(const ReportImages& images,
   return {differs ? ViewOfLine::kDiffers : ViewOfLine::kAgrees, offset};
 }
 
-/// Of several segments of a line in one image, the one that is off by more of its sigmas speaks for all.
+/// Of several segments of a line in one image, the one that is off by more of its sigmas speaks for
+/// all.
 bool is_worse(const LineInView& a, const LineInView& b) {
   if (!a.offset || !b.offset) return b.offset.has_value() < a.offset.has_value();
   return a.offset->offset_px * b.offset->sigma_px > b.offset->offset_px * a.offset->sigma_px;

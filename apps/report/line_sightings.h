@@ -17,7 +17,8 @@ struct LineInImage {
   std::optional<Segment2> px;  ///< as the line was made from it, ideal pixels
 };
 
-/// What a line states of its image segments, in its order. Images that the patch does not have are passed over.
+/// What a line states of its image segments, in its order. Images that the patch does not have are
+/// passed over.
 std::vector<LineInImage> sightings_of(const ReportPatch& patch, const io::Line& line);
 
 /// What one image shows of a line.
@@ -26,8 +27,8 @@ struct LineInView {
   std::optional<Offset> offset;
 };
 
-/// What each image of a patch shows of each line of a method, by line and image; empty for patches of two images or
-/// without images. Lines that are not known have none.
+/// What each image of a patch shows of each line of a method, by line and image; empty for patches
+/// of two images or without images. Lines that are not known have none.
 std::vector<std::vector<LineInView>> lines_in_views(const ReportPatch& patch,
                                                     const ReportMethod& method);
 

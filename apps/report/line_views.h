@@ -16,15 +16,17 @@
 
 namespace ridgeline::apps {
 
-/// How far an image segment is from the projection of its line, at the end where this is more of its sigma.
+/// How far an image segment is from the projection of its line, at the end where this is more of
+/// its sigma.
 struct Offset {
   double offset_px = 0.0;
   double sigma_px = 0.0;
 };
 
-/// Distances of both ends of a segment across the projected line. Sigma has a part of the line and, if `uncertain` is
-/// given, one of the segment. As the line was adjusted to the segment, the true sigma is smaller, so what exceeds this
-/// one is no chance. Nothing for a line whose projection is no line.
+/// Distances of both ends of a segment across the projected line. Sigma has a part of the line and,
+/// if `uncertain` is given, one of the segment. As the line was adjusted to the segment, the true
+/// sigma is smaller, so what exceeds this one is no chance. Nothing for a line whose projection is
+/// no line.
 ///
 /// @param covariance_m2  of (start, end) of the line
 /// @param px             ideal pixels
@@ -34,7 +36,8 @@ std::optional<Offset> offset_of(const ProjectionMatrix& image_from_local,
                                 const Segment2& px,
                                 const UncertainSegment2* uncertain);
 
-/// A segment off by more of its sigmas than this disagrees with its line: one end of a thousand does by chance.
+/// A segment off by more of its sigmas than this disagrees with its line: one end of a thousand
+/// does by chance.
 inline constexpr double kMaxSigmas = 3.29;
 
 /// What an image shows of a line.
@@ -60,7 +63,8 @@ class ImageField {
              const Eigen::Vector2d& size_px,
              std::span<const Eigen::Vector3d> surface_in_local);
 
-  /// What the image shows of a line of which it has no segment: kMissing, kHidden, kBorder or kOutside.
+  /// What the image shows of a line of which it has no segment: kMissing, kHidden, kBorder or
+  /// kOutside.
   [[nodiscard]] ViewOfLine unsighted(const Segment3& line_in_local) const;
 
  private:

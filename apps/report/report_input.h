@@ -31,8 +31,8 @@ struct ReportMethod {
   /// The judged lines in metres, by the index in `evaluation`; nothing for a line whose file is
   /// gone.
   std::vector<std::optional<io::Line>> lines;
-  /// The judged lines as segments in the patch's frame, where their file has them; nothing where `lines` has none or
-  /// coordinates are not finite.
+  /// The judged lines as segments in the patch's frame, where their file has them; nothing where
+  /// `lines` has none or coordinates are not finite.
   std::vector<std::optional<Segment3>> segments;
   /// By how much the lines were moved before they were judged.
   [[nodiscard]] Eigen::Vector3d moved_m() const {

@@ -62,8 +62,8 @@ ProjectionMatrix camera_of(const ReportPatch& patch, std::size_t view) {
   return image_from_local(patch.patch->images[view].image_from_world, patch.frame.origin_m);
 }
 
-/// One bit a segment, the lowest of a byte first: whether the segment is aligned with its epipolar line for the other
-/// image.
+/// One bit a segment, the lowest of a byte first: whether the segment is aligned with its epipolar
+/// line for the other image.
 std::string aligned_base64(const ReportPatch& patch, std::size_t view, std::size_t other) {
   const std::vector<EdgeSegment>& segments = patch.images->segments[view];
   const ProjectionMatrix own_camera = camera_of(patch, view);
@@ -78,7 +78,8 @@ std::string aligned_base64(const ReportPatch& patch, std::size_t view, std::size
   return base64(bits);
 }
 
-/// Focal lengths and principal point in pixels of the file, and the coefficients of the distortion; null without one.
+/// Focal lengths and principal point in pixels of the file, and the coefficients of the distortion;
+/// null without one.
 Json lens_json(const io::PatchImage& view) {
   if (!view.interior || view.interior->distortion.is_zero()) return nullptr;
   const Eigen::Vector2d& focal_length_px = view.interior->focal_length_px;
@@ -223,8 +224,8 @@ Json sightings_json(const ReportPatch& patch, const io::Line& line) {
   return json;
 }
 
-/// What each image shows of a line: [state], with a segment [state, offset, sigma]; null for an image that the line
-/// does not lie in.
+/// What each image shows of a line: [state], with a segment [state, offset, sigma]; null for an
+/// image that the line does not lie in.
 Json line_in_views_json(const std::vector<LineInView>& views) {
   Json json = Json::array();
   for (const LineInView& view : views) {
@@ -240,7 +241,8 @@ Json line_in_views_json(const std::vector<LineInView>& views) {
   return json;
 }
 
-/// Adds what the line file knows beside the judgement. A line that was moved before has a second place, where images show it.
+/// Adds what the line file knows beside the judgement. A line that was moved before has a second
+/// place, where images show it.
 void add_geometry(const ReportPatch& patch, const ReportMethod& method, std::size_t i, Json& json) {
   const io::Line& line = *method.lines[i];
   if (const auto judged = method.judged_segment(i)) {
@@ -319,14 +321,15 @@ Json patch_json(const ReportPatch& patch, const ShownScene& scene, bool is_of_fi
           {"product", is_of_files ? 0 : product_of(patch)}};
 }
 
-/// The part of run.json that the page shows. It has no folders, which are the sender's own business, and
-/// no times, so that equal runs give equal reports.
+/// The part of run.json that the page shows. It has no folders, which are the sender's own
+/// business, and no times, so that equal runs give equal reports.
 Json run_json(const Json& run) {
   Json json = Json::object();
   for (const char* key : {"command", "versions", "options", "inputs", "messages", "page"}) {
     if (run.contains(key)) json[key] = run[key];
   }
-  // the page leaves out the warnings of `run`: a resumed run does not repeat them, and reading the cloud gives its own again
+  // the page leaves out the warnings of `run`: a resumed run does not repeat them, and reading the
+  // cloud gives its own again
   if (json.value("command", "") == "evaluate")
     json["warnings"] = run.value("warnings", Json::array());
   if (json.contains("inputs")) {

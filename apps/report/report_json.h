@@ -17,9 +17,9 @@ struct ShownScene {
 
 ShownScene shown_scene(const ReportPatch& patch);
 
-/// The data of the page, as apps/report/web/src/data/schema.ts declares it. Figures are computed from
-/// the judged lines, as those of the result files are; coordinates are local, binary arrays base64 of
-/// little-endian values. `scenes`: one per patch.
+/// The data of the page, as apps/report/web/src/data/schema.ts declares it. Figures are computed
+/// from the judged lines, as those of the result files are; coordinates are local, binary arrays
+/// base64 of little-endian values. `scenes`: one per patch.
 evaluate::Json report_json(const ReportInput& input,
                            const std::vector<ShownScene>& scenes,
                            const std::optional<evaluate::GateReport>& gates);

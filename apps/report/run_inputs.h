@@ -27,12 +27,13 @@ class RunInputs {
   /// Files, folders and patterns as they stood on the command line.
   [[nodiscard]] std::vector<std::string> given_paths() const;
 
-  /// Returns `path` if the run did not read it or its size has not changed since. Throws IoError if it is gone
-  /// or has changed, because the data that are shown must be those that the figures were made from. Of a folder
-  /// the recorded files are checked.
+  /// Returns `path` if the run did not read it or its size has not changed since. Throws IoError if
+  /// it is gone or has changed, because the data that are shown must be those that the figures were
+  /// made from. Of a folder the recorded files are checked.
   [[nodiscard]] std::string unchanged(const std::string& path) const;
 
-  /// The line file (or folder) given to `evaluate` that the method is named after; empty if there is none.
+  /// The line file (or folder) given to `evaluate` that the method is named after; empty if there
+  /// is none.
   [[nodiscard]] std::string lines_of(const std::string& method) const;
   /// The run's patch of this id. Throws IoError if it is not found and a patch file is gone or has
   /// changed.

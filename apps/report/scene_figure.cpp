@@ -28,8 +28,8 @@ Eigen::Vector3d in_view(const Eigen::Vector3d& x) {
           std::cos(kElevation_rad) * away - std::sin(kElevation_rad) * x.z()};
 }
 
-/// The range of a coordinate that is shown: of all points, but of the middle 98 % of lines, because some lie far
-/// off.
+/// The range of a coordinate that is shown: of all points, but of the middle 98 % of lines, because
+/// some lie far off.
 std::array<double, 2> range_of(std::vector<double> values, double share_cut) {
   std::sort(values.begin(), values.end());
   const auto at = [&](double share) {

@@ -21,8 +21,8 @@ struct ShownCloud {
   std::uint64_t n_read = 0;    ///< records in the files
   std::size_t n_all = 0;       ///< points kept of these records
   double points_per_m2 = 0.0;  ///< mean where there are points
-  /// Share of the square metres of the points' box without any point; nothing if only the surroundings
-  /// of lines were read.
+  /// Share of the square metres of the points' box without any point; nothing if only the
+  /// surroundings of lines were read.
   std::optional<double> no_data_share;
   std::vector<Eigen::Vector3d> x_in_local;
 };

@@ -23,9 +23,10 @@ std::string write_report(const std::string& folder,
                          const std::optional<evaluate::GateReport>& gates = std::nullopt,
                          const evaluate::Json& page = evaluate::Json::object());
 
-/// Writes the report after a run, as write_report() does, and prints its path. A fault of the report is a warning only,
-/// because the results are complete without it. If no report is wanted or it cannot be written, the report of an earlier run
-/// is removed: it would show other figures than the tables beside it.
+/// Writes the report after a run, as write_report() does, and prints its path. A fault of the
+/// report is a warning only, because the results are complete without it. If no report is wanted or
+/// it cannot be written, the report of an earlier run is removed: it would show other figures than
+/// the tables beside it.
 void write_report_of_run(const std::string& folder, bool is_wanted);
 
 }  // namespace ridgeline::apps

@@ -52,8 +52,9 @@ std::string reading_text(const io::PatchImage& image) {
   return text;
 }
 
-/// One patch on its way through the stages. A stage runs, or is skipped if an earlier run has finished it. The
-/// later stages read its files in both cases, so that a resumed run gives the same bytes.
+/// One patch on its way through the stages. A stage runs, or is skipped if an earlier run has
+/// finished it. The later stages read its files in both cases, so that a resumed run gives the same
+/// bytes.
 class PatchRun {
  public:
   PatchRun(const CheckedPatch& patch,
@@ -92,8 +93,8 @@ class PatchRun {
   }
 
  private:
-  /// Runs the stage unless it is done. `files` are the files that it writes, in the patch's folder. The list is
-  /// read after the work, which may fill it.
+  /// Runs the stage unless it is done. `files` are the files that it writes, in the patch's folder.
+  /// The list is read after the work, which may fill it.
   template <typename Work>
   void stage(const std::string& name,
              const std::string& key,
@@ -162,7 +163,8 @@ class PatchRun {
     stage("match", match_key_, files, [&] { files = stages_.match(); });
   }
 
-  /// The options of the groups `match`, `chio` and `reconstruct` are in the key, because any of them may ask for the surface.
+  /// The options of the groups `match`, `chio` and `reconstruct` are in the key, because any of
+  /// them may ask for the surface.
   void keep_surface() {
     std::vector<std::string> files;
     stage(kSurfaceStage,

@@ -56,8 +56,8 @@ struct PatchResult {
 /// The number of steps that run_patch() announces to the progress bar.
 std::size_t count_steps(const RunOptions& options);
 
-/// Checks what can be checked before the work begins. Throws IoError for outputs that are inputs, and for a
-/// cloud that cannot be read, has another CRS than the patch or fails check_scale().
+/// Checks what can be checked before the work begins. Throws IoError for outputs that are inputs,
+/// and for a cloud that cannot be read, has another CRS than the patch or fails check_scale().
 void check_run(const CheckedPatch& patch,
                const RunOptions& options,
                const results::OutputFolder& out);

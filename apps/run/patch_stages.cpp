@@ -33,7 +33,8 @@ namespace {
 static_assert(evaluate::kCombinedMatches == reconstruct::kBothMatchers,
               "gates find the combined matches by it");
 
-/// The list of matches that lines are reconstructed from. With two matchers it is the combined list.
+/// The list of matches that lines are reconstructed from. With two matchers it is the combined
+/// list.
 constexpr const char* kMatchList = "matches.csv";
 constexpr const char* kUnmatchedList = "unmatched.csv";
 /// What three images and more show of each edge.
@@ -175,7 +176,8 @@ std::vector<ViewPair> PatchStages::pairs() const {
   return pairs_of(scene_, options_.parameters.method);
 }
 
-/// The folder of what is known of a pair; nothing for the base pair, whose files are in the folder of the patch.
+/// The folder of what is known of a pair; nothing for the base pair, whose files are in the folder
+/// of the patch.
 std::string PatchStages::pair_folder(const ViewPair& pair) const {
   if (pair.base == kPairOfPatch.base && pair.search == kPairOfPatch.search) return "";
   return fmt::format("pairs/{}-{}/", patch_.images[pair.base].id, patch_.images[pair.search].id);
@@ -209,7 +211,8 @@ std::vector<std::string> PatchStages::keep_surface() {
   return {kSurfaceFile};
 }
 
-/// Removes the lists of an earlier run with other matchers, which would look like lists of this run.
+/// Removes the lists of an earlier run with other matchers, which would look like lists of this
+/// run.
 void PatchStages::remove_match_lists() const {
   std::vector<std::string> files{"chio.csv", "verdicts.csv", kTrackList};
   for (const char* stem : {"matches", "unmatched", "verdicts"}) {

@@ -19,8 +19,8 @@
 
 namespace ridgeline::apps {
 
-/// The stages of a reconstruction with their files. Every stage reads what it needs from the files of the stages before
-/// it, also where these ran in this object, and writes files of its own.
+/// The stages of a reconstruction with their files. Every stage reads what it needs from the files
+/// of the stages before it, also where these ran in this object, and writes files of its own.
 class PatchStages {
  public:
   /// The files are in the subfolder of `out` that is named after the patch's id.
@@ -36,21 +36,24 @@ class PatchStages {
   static std::string line_file(reconstruct::Method method, std::string_view extension = ".geojson");
   [[nodiscard]] std::vector<std::string> line_files(reconstruct::Method method) const;
 
-  /// The warnings of check_matched_pairs(), which throws IoError unless the images fit their cameras.
+  /// The warnings of check_matched_pairs(), which throws IoError unless the images fit their
+  /// cameras.
   [[nodiscard]] std::vector<std::string> check_pairs();
   /// @return the warnings of unused_segments()
   [[nodiscard]] std::vector<std::string> extract();
   /// @return the files written
   [[nodiscard]] std::vector<std::string> match();
-  /// Writes points of the pair's surface. If there is no surface, the file of an earlier run is removed.
+  /// Writes points of the pair's surface. If there is no surface, the file of an earlier run is
+  /// removed.
   /// @return the files written: none for a pair without a surface
   [[nodiscard]] std::vector<std::string> keep_surface();
   void reconstruct(reconstruct::Method method);
   [[nodiscard]] PatchCounts counts() const;
   /// By image: how wide its edges are, by the scale that they were found at, and its noise.
   [[nodiscard]] nlohmann::ordered_json edge_facts();
-  /// The rows of Table 1: one per matcher and, with two matchers, one for the combined matches. There are none without
-  /// reference matches. Writes the verdict on each match to verdicts.csv, and to one more file per matcher if there are two.
+  /// The rows of Table 1: one per matcher and, with two matchers, one for the combined matches.
+  /// There are none without reference matches. Writes the verdict on each match to verdicts.csv,
+  /// and to one more file per matcher if there are two.
   [[nodiscard]] std::vector<evaluate::Table1Row> score_matches() const;
   /// What the reference tracks say of the tracks; empty if the patch has none.
   [[nodiscard]] std::optional<evaluate::PatchTracks> score_tracks() const;
@@ -85,7 +88,8 @@ class PatchStages {
       surfaces_;  ///< by pair, computed when first needed
 };
 
-/// Removes the lines, tables, maps and figures that an earlier run made by other methods than these.
+/// Removes the lines, tables, maps and figures that an earlier run made by other methods than
+/// these.
 /// @param subfolder  of the results: "" or ending in a slash
 void remove_other_methods(std::span<const reconstruct::Method> methods,
                           const results::OutputFolder& out,

@@ -18,15 +18,16 @@ struct PatchesResult {
   std::size_t n_skipped_stages = 0;   ///< that an earlier run has finished (--resume)
 };
 
-/// Runs the patches one after another, writes their files, the tables over all of them and run.json. Decisions, warnings and
-/// progress go to stderr. All patch files are read and checked before the first one is run. Throws IoError for a file's fault.
+/// Runs the patches one after another, writes their files, the tables over all of them and
+/// run.json. Decisions, warnings and progress go to stderr. All patch files are read and checked
+/// before the first one is run. Throws IoError for a file's fault.
 PatchesResult write_patches(const std::vector<std::string>& patch_files,
                             const RunOptions& options,
                             const std::string& folder,
                             results::RunRecord& record);
 
-/// Runs the patches by write_patches(), prints Table 1 (where there are reference matches) and Table 2, and writes the
-/// report.
+/// Runs the patches by write_patches(), prints Table 1 (where there are reference matches) and
+/// Table 2, and writes the report.
 void run_patches(const std::string& command,
                  const std::vector<std::string>& patch_files,
                  const RunOptions& options,

@@ -43,9 +43,9 @@ class AlsScanner {
   AlsScanner& operator=(AlsScanner&&) noexcept;
 
   /// The returns of the whole flight that lie in a window of the plan (local), in order of strip,
-  /// scan line, pulse and return. source_id: strip from 1. Classes: 1 cars, fences, garden walls; 2 ground;
-  /// 5 vegetation; 6 buildings; 7 outliers. Byte-identical for any number of threads; windows that
-  /// share no point share no return.
+  /// scan line, pulse and return. source_id: strip from 1. Classes: 1 cars, fences, garden walls; 2
+  /// ground; 5 vegetation; 6 buildings; 7 outliers. Byte-identical for any number of threads;
+  /// windows that share no point share no return.
   [[nodiscard]] io::PointCloud scan(const Eigen::AlignedBox2d& window_m) const;
 
  private:

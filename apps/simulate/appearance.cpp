@@ -13,8 +13,8 @@ namespace {
 
 constexpr float kLevelCosine = 0.9999F;  // roofs that are level within 0.8 degrees count as flat
 
-/// Brightness of a tiled roof: courses run across the slope and columns along it, each tile differs a little, and old roofs
-/// have stains and moss.
+/// Brightness of a tiled roof: courses run across the slope and columns along it, each tile differs
+/// a little, and old roofs have stains and moss.
 float tile_factor(const Eigen::Vector2f& uv_m, float footprint_m, std::uint32_t key) {
   constexpr float kTwoPi = 6.2831853F;
   const float course_m = 0.30F + 0.08F * unit(hash(key, 1U));
@@ -79,8 +79,8 @@ Appearance::Surface Appearance::surface_of(const Triangle& triangle, std::uint32
   return surface;
 }
 
-/// Bends the normals of leaves towards that of their crown. With a normal of its own each leaf would
-/// glitter.
+/// Bends the normals of leaves towards that of their crown. With a normal of its own each leaf
+/// would glitter.
 void Appearance::bend_leaves() {
   const Mesh& mesh = scene_->mesh;
   struct Crown {

@@ -13,8 +13,8 @@ namespace ridgeline::simulate {
 /// Reflectance (0..1) or radiance in red, green, blue and near infrared.
 using Spectrum = Eigen::Array4f;
 
-/// The look of the surfaces of a scene. It depends on the surface point and a seed alone, so that all views
-/// agree, and has no detail below the given footprint.
+/// The look of the surfaces of a scene. It depends on the surface point and a seed alone, so that
+/// all views agree, and has no detail below the given footprint.
 class Appearance {
  public:
   /// Keeps a reference to the scene. `texture`: contrast of the textures, 0: flat colours.
@@ -28,7 +28,8 @@ class Appearance {
   /// Colour of the ground where it goes on beyond the mesh.
   [[nodiscard]] Spectrum lawn(const Eigen::Vector3d& x_in_local, float footprint_m) const;
 
-  /// Unit normal for shading, outwards: that of the triangle. The normal of a leaf is bent towards that of its crown.
+  /// Unit normal for shading, outwards: that of the triangle. The normal of a leaf is bent towards
+  /// that of its crown.
   [[nodiscard]] const Eigen::Vector3f& normal(int triangle) const {
     return surfaces_[static_cast<std::size_t>(triangle)].normal;
   }

@@ -33,8 +33,8 @@ void check_options(const CLI::App& app, bool is_block) {
   }
 }
 
-/// The angle of view and the pixel of the DMC, whatever the frame. Nearer than some ten heights of houses, a frame would
-/// show far less of their roofs than of the ground.
+/// The angle of view and the pixel of the DMC, whatever the frame. Nearer than some ten heights of
+/// houses, a frame would show far less of their roofs than of the ground.
 void set_camera(const CLI::App& app, simulate::FlightOptions& flight) {
   constexpr double kFocalPerColumn = 10000.0 / 7680.0;
   constexpr double kPixel_m = 0.08;

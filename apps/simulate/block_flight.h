@@ -18,7 +18,8 @@ namespace ridgeline::simulate {
 /// The strips of one direction, and the frames of one of them, are no more than this.
 inline constexpr int kMaxStripsOrFrames = 99;
 
-/// The strips of a photogrammetric block. Camera, flying height and errors are those of FlightOptions with whole frames.
+/// The strips of a photogrammetric block. Camera, flying height and errors are those of
+/// FlightOptions with whole frames.
 struct BlockOptions {
   int num_strips = 2;            ///< along x, 1 to kMaxStripsOrFrames
   int num_frames = 3;            ///< of each of these, 2 to kMaxStripsOrFrames
@@ -37,21 +38,23 @@ struct BlockOptions {
   }
 };
 
-/// The extent of the plan that two frames of each strip show, in whole metres, whatever stands there and with the errors of
-/// the flight. The plan lies in the middle of the block. Throws std::invalid_argument for an option outside its range, a
-/// flight without whole frames and an extent that no village can have.
+/// The extent of the plan that two frames of each strip show, in whole metres, whatever stands
+/// there and with the errors of the flight. The plan lies in the middle of the block. Throws
+/// std::invalid_argument for an option outside its range, a flight without whole frames and an
+/// extent that no village can have.
 Eigen::Vector2d block_extent_m(const BlockOptions& block,
                                const FlightOptions& flight,
                                double terrain_slope_deg);
 
-/// The frames as they are flown: the strips along x from south to north, every second one back, then those along y from
-/// east to west. They follow the ground. Ids are STRIP_FRAME with two digits or more, both from 1.
+/// The frames as they are flown: the strips along x from south to north, every second one back,
+/// then those along y from east to west. They follow the ground. Ids are STRIP_FRAME with two
+/// digits or more, both from 1.
 std::vector<PlannedView> block_views(const BlockOptions& block,
                                      const FlightOptions& flight,
                                      const Scene& scene);
 
-/// Throws std::invalid_argument unless each place of an area of the plan (local) is shown by two views or more, at the
-/// lowest and the highest heights that the scene has above the mean terrain.
+/// Throws std::invalid_argument unless each place of an area of the plan (local) is shown by two
+/// views or more, at the lowest and the highest heights that the scene has above the mean terrain.
 void check_shown_twice(const Scene& scene,
                        std::span<const AerialView> views,
                        const Eigen::AlignedBox2d& area_m);

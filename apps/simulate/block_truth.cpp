@@ -15,7 +15,8 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// Whether the image of a line may lie in a view. It spares most views of a block a look along the line.
+/// Whether the image of a line may lie in a view. It spares most views of a block a look along the
+/// line.
 bool may_show(const AerialView& view, const Segment3& line) {
   const Eigen::AlignedBox2d frame_px(Eigen::Vector2d::Constant(-0.5),
                                      view.size_px.cast<double>() - Eigen::Vector2d::Constant(0.5));

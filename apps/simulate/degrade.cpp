@@ -22,8 +22,9 @@ void check_options(const DegradeOptions& o) {
   share("gross_share", o.gross_share);
 }
 
-/// Covariance of (start, end). The plan coordinates are independent. The heights have the errors h - t and h + t with
-/// independent offset h and tilt t, hence variance h^2 + t^2 and covariance h^2 - t^2.
+/// Covariance of (start, end). The plan coordinates are independent. The heights have the errors h
+/// - t and h + t with independent offset h and tilt t, hence variance h^2 + t^2 and covariance h^2
+/// - t^2.
 Eigen::Matrix<double, 6, 6> claimed_covariance_m2(const DegradeOptions& o) {
   const double plan = o.plan_sigma_m * o.plan_sigma_m;
   const double offset = o.height_sigma_m * o.height_sigma_m;

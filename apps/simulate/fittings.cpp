@@ -133,7 +133,8 @@ void add_windows(const Wall& wall, int building_id, Random& random, Mesh& mesh) 
   }
 }
 
-/// Whether a panel and some free space around it lie on one surface of the scene and nothing covers them.
+/// Whether a panel and some free space around it lie on one surface of the scene and nothing covers
+/// them.
 bool is_free(const RayScene& rays, const Scene& scene, const Panel& panel, int plane_id) {
   constexpr double kFreeM = 0.35;
   constexpr double kAboveM = 30.0;
@@ -181,7 +182,8 @@ void add_skylights(const ScenePlane& plane, const RayScene& rays, Random& random
   }
 }
 
-/// Adds modules of 1.0 m x 1.65 m side by side in one or two rows. Returns whether a free place was found.
+/// Adds modules of 1.0 m x 1.65 m side by side in one or two rows. Returns whether a free place was
+/// found.
 bool add_solar_array(const ScenePlane& plane, const RayScene& rays, Random& random, Scene& scene) {
   constexpr int kAttempts = 10;
   constexpr double kHalfModuleU = 0.5;
@@ -207,7 +209,8 @@ bool add_solar_array(const ScenePlane& plane, const RayScene& rays, Random& rand
   return false;
 }
 
-/// Adds a paved rectangle on the lawn if its place is free. Its sides are parallel to the nearest house or at random.
+/// Adds a paved rectangle on the lawn if its place is free. Its sides are parallel to the nearest
+/// house or at random.
 void add_paving(const ScenePlane& plane, const RayScene& rays, Random& random, Scene& scene) {
   const double height_m = random.uniform(0.01, 0.05);  // overlapping ones must differ in height
   const double half_u_m = random.uniform(1.0, 3.0);

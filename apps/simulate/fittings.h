@@ -9,8 +9,8 @@ namespace ridgeline::simulate {
 
 /// Adds to the mesh what an image shows of a village but its laser points and true lines do not
 /// know: windows on the walls, skylights and solar panels on the roofs, terraces and paths on the
-/// lawns. All of it lies within 0.12 m of the surface that bears it. The draws follow from the seed and are independent of
-/// all other draws.
+/// lawns. All of it lies within 0.12 m of the surface that bears it. The draws follow from the seed
+/// and are independent of all other draws.
 void add_fittings(Scene& scene, std::uint64_t seed);
 
 }  // namespace ridgeline::simulate

@@ -114,7 +114,8 @@ Eigen::AlignedBox2i pixels_of_mesh(const Mesh& mesh, const AerialView& view) {
   return {shown_px.min().array().floor().cast<int>(), shown_px.max().array().ceil().cast<int>()};
 }
 
-/// Rays near the horizon meet the ground nowhere or far beyond what a landscape can be taken to be plane for.
+/// Rays near the horizon meet the ground nowhere or far beyond what a landscape can be taken to be
+/// plane for.
 void check_looks_down(const Scene& scene, const AerialView& view) {
   constexpr double kMinSinking = 0.1;  // height over way: ten flying heights away
   const Eigen::Vector2d last_px = view.size_px.cast<double>() - Eigen::Vector2d::Ones();

@@ -28,8 +28,8 @@ struct AerialView {
   Eigen::Vector2i size_px = Eigen::Vector2i::Zero();  ///< columns, rows
   InteriorOrientation interior;                       ///< of the image: off the middle in a window
   ExteriorOrientation exterior;                       ///< world
-  /// The pixels (first and last column and row) that may show the village: all of them, but in a frame those
-  /// around its mesh. Empty if a frame shows none.
+  /// The pixels (first and last column and row) that may show the village: all of them, but in a
+  /// frame those around its mesh. Empty if a frame shows none.
   Eigen::AlignedBox2i village_px;
 
   /// Unit vector from the projection centre through a pixel, local axes.
@@ -41,14 +41,16 @@ struct AerialView {
   Eigen::Matrix3d ray_from_pixel = Eigen::Matrix3d::Identity();
 };
 
-/// The views of a flight in the order of planned_views(): the first two are the pair. Each window is the smallest that
-/// shows the plan on the mean terrain with the margin, or has the size asked for; or all are whole frames. Deterministic
-/// by seed. Throws std::invalid_argument for an option outside its range, for sizes of other than all views or beside
-/// frames, for images of more than 300 megapixels, where the plan reaches behind a tilted view, and for a frame that does
-/// not show the middle of the plan or looks at the horizon.
+/// The views of a flight in the order of planned_views(): the first two are the pair. Each window
+/// is the smallest that shows the plan on the mean terrain with the margin, or has the size asked
+/// for; or all are whole frames. Deterministic by seed. Throws std::invalid_argument for an option
+/// outside its range, for sizes of other than all views or beside frames, for images of more than
+/// 300 megapixels, where the plan reaches behind a tilted view, and for a frame that does not show
+/// the middle of the plan or looks at the horizon.
 std::vector<AerialView> aerial_views(const Scene& scene, const FlightOptions& options);
 
-/// The same of views that are planned in another way, as those of a block. Frames may show any part of the plan, or none.
+/// The same of views that are planned in another way, as those of a block. Frames may show any part
+/// of the plan, or none.
 std::vector<AerialView> aerial_views(const Scene& scene,
                                      const FlightOptions& options,
                                      std::span<const PlannedView> planned);
@@ -60,8 +62,8 @@ std::array<double, 2> height_range_m(const Scene& scene);
 /// geometry of Ok et al. 2011, section 4, without errors of the flight.
 std::array<ProjectionMatrix, 2> nominal_pair(const Scene& scene);
 
-/// Sets the epipolar angle of a line in two or more views and the class that follows from it: `aligned` up to 10 degrees,
-/// else `not_aligned`. The pair with the largest angle decides.
+/// Sets the epipolar angle of a line in two or more views and the class that follows from it:
+/// `aligned` up to 10 degrees, else `not_aligned`. The pair with the largest angle decides.
 void set_class(std::span<const ProjectionMatrix> image_from_world, io::Line& line);
 
 /// All lines with their class by set_class().

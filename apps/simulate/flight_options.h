@@ -26,12 +26,14 @@ struct FlightOptions {
   double attitude_sigma_deg = 0.4;  ///< errors of omega, phi and kappa of each view
   double position_sigma_m = 2.0;    ///< error of each projection centre, per axis
   double sun_step_deg = 0.0;        ///< the sun moves on while the views are taken
-  /// Margin of the image around the plan. A negative margin cuts off the border of the plan, a straight edge that no
-  /// landscape has.
+  /// Margin of the image around the plan. A negative margin cuts off the border of the plan, a
+  /// straight edge that no landscape has.
   double margin_m = -2.0;
-  /// Columns and rows of each image, around the middle of the plan. Empty: the images show the whole plan.
+  /// Columns and rows of each image, around the middle of the plan. Empty: the images show the
+  /// whole plan.
   std::vector<Eigen::Vector2i> size_px;
-  /// Columns and rows of whole frames, whose principal point is the middle, in place of images around the plan.
+  /// Columns and rows of whole frames, whose principal point is the middle, in place of images
+  /// around the plan.
   std::optional<Eigen::Vector2i> frame_px;
   std::uint64_t seed = 1;
 
@@ -56,8 +58,8 @@ struct FlightOptions {
   }
 };
 
-/// The flight of Chio and Wang 2000, section 4: pixels of 30 um at an image scale of 1:8,000, hence a
-/// ground pixel of 0.24 m, images of 180 x 180 and 225 x 180 pixels. The paper does not give the
+/// The flight of Chio and Wang 2000, section 4: pixels of 30 um at an image scale of 1:8,000, hence
+/// a ground pixel of 0.24 m, images of 180 x 180 and 225 x 180 pixels. The paper does not give the
 /// camera; 15 cm focal length, 23 cm frames and 60 % overlap were the rule.
 FlightOptions chio_wang_flight();
 

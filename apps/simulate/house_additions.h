@@ -10,7 +10,8 @@
 
 namespace ridgeline::simulate {
 
-/// Adds up to three small dormers, 1.2 to 2.5 m wide, to the +v side of a gabled or hipped house; none if its roof is too flat.
+/// Adds up to three small dormers, 1.2 to 2.5 m wide, to the +v side of a gabled or hipped house;
+/// none if its roof is too flat.
 void add_small_dormers(const HouseShape& shape,
                        double ridge_length_m,
                        Random& random,
@@ -24,8 +25,8 @@ struct AnnexSite {
   double reach_m = 0.0;      ///< largest distance from the origin
 };
 
-/// Adds a lean-to or flat annex, 2 to 4 m deep and 2.3 to 3.5 m high, to a wall of the main body parts[0], below its eave;
-/// none if it finds no place.
+/// Adds a lean-to or flat annex, 2 to 4 m deep and 2.3 to 3.5 m high, to a wall of the main body
+/// parts[0], below its eave; none if it finds no place.
 void add_annex(const HouseShape& shape,
                const AnnexSite& site,
                Random& random,

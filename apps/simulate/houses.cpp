@@ -28,8 +28,8 @@ RoofPart box(const HouseShape& shape, double overhang_u, double overhang_v) {
 
 double wall_top_z(const HouseShape& shape) { return shape.floor_z_m + shape.wall_height_m; }
 
-/// Two planes that fall to both sides of a ridge at height `ridge_z` through `origin`; `across` is at right angles to the
-/// ridge.
+/// Two planes that fall to both sides of a ridge at height `ridge_z` through `origin`; `across` is
+/// at right angles to the ridge.
 std::vector<PlanFunction> gable_planes(const Eigen::Vector2d& origin,
                                        const Eigen::Vector2d& across,
                                        double ridge_z,

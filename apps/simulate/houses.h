@@ -24,7 +24,8 @@ struct HouseShape {
   int building_id = 0;
 };
 
-/// The parts of one house. All sizes must be positive, and pitch_rad in (0, pi/2) unless the roof is flat.
+/// The parts of one house. All sizes must be positive, and pitch_rad in (0, pi/2) unless the roof
+/// is flat.
 std::vector<RoofPart> gabled(const HouseShape& shape);
 std::vector<RoofPart> hipped(const HouseShape& shape);
 std::vector<RoofPart> flat(const HouseShape& shape);
@@ -44,7 +45,8 @@ std::vector<RoofPart> l_shaped(const HouseShape& shape, const Wing& wing);
 
 enum class DormerType : std::uint8_t { kGabled, kShed };
 
-/// A dormer on the +v side of a gabled house. The front wall stands `setback_m` behind the side wall.
+/// A dormer on the +v side of a gabled house. The front wall stands `setback_m` behind the side
+/// wall.
 struct Dormer {
   DormerType type = DormerType::kGabled;
   double centre_u_m = 0.0;

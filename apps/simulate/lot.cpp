@@ -214,8 +214,8 @@ std::array<double, kRowLength> row_wall_heights_m(double first_m, Random& random
   return heights_m;
 }
 
-/// The gabled house number `i` of a row. It has no overhang at party walls; at each of these the lower roof ends
-/// against the wall of the higher house.
+/// The gabled house number `i` of a row. It has no overhang at party walls; at each of these the
+/// lower roof ends against the wall of the higher house.
 RoofPart row_part(HouseShape shape, const std::array<double, kRowLength>& heights_m, int i) {
   const auto n = static_cast<std::size_t>(i);
   const bool left_end = i == 0;

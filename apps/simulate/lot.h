@@ -22,8 +22,8 @@ struct Site {
   GroundPlane ground{};
 };
 
-/// Adds a random house of a type: its parts, lines, planes and Building record(s). Annexes and small dormers are drawn from
-/// `clutter`.
+/// Adds a random house of a type: its parts, lines, planes and Building record(s). Annexes and
+/// small dormers are drawn from `clutter`.
 void add_house(const VillageOptions& options,
                RoofType type,
                const Site& site,

@@ -7,8 +7,8 @@
 
 namespace ridgeline::simulate {
 
-/// A well mixed function of integers, for random values that must be the same whenever they are asked for
-/// (lowbias32, Wellons 2018).
+/// A well mixed function of integers, for random values that must be the same whenever they are
+/// asked for (lowbias32, Wellons 2018).
 inline std::uint32_t hash(std::uint32_t x) {
   x = (x ^ (x >> 16U)) * 0x7feb352dU;
   x = (x ^ (x >> 15U)) * 0x846ca68bU;

@@ -9,8 +9,8 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// Reflectance in red, green, blue and near infrared; after the spectra of urban materials in Herold, Roberts,
-/// Gardner, Dennison 2004, rounded.
+/// Reflectance in red, green, blue and near infrared; after the spectra of urban materials in
+/// Herold, Roberts, Gardner, Dennison 2004, rounded.
 using Entry = std::array<float, 4>;
 
 constexpr std::array<Entry, 8> kTiledRoofs{{{0.34F, 0.16F, 0.10F, 0.44F},  // new clay

@@ -25,8 +25,8 @@ struct CarSite {
   std::function<bool(const Eigen::Vector2d& x, double radius_m)> is_free;
 };
 
-/// Parks cars of random size at the kerb and in the garden, clear of the house, of the places `taken` by trees, and of each
-/// other; `mean_count` of them on average, as far as there is room.
+/// Parks cars of random size at the kerb and in the garden, clear of the house, of the places
+/// `taken` by trees, and of each other; `mean_count` of them on average, as far as there is room.
 void park_cars(const CarSite& site,
                double mean_count,
                bool with_lines,

@@ -80,8 +80,8 @@ Segment3 raised_to_ground(Segment3 edge, const Ground& ground) {
   return edge;
 }
 
-/// Adds the borders of the polygons: the sides that belong to one triangle alone, since polygons share no
-/// vertices.
+/// Adds the borders of the polygons: the sides that belong to one triangle alone, since polygons
+/// share no vertices.
 void add_mesh_edges(const Scene& scene, std::vector<PhysicalEdge>& edges) {
   const Ground ground(scene);
   std::map<std::pair<int, int>, std::pair<Material, int>> sides;  // -> material, triangles

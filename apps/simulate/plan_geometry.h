@@ -12,8 +12,8 @@
 
 namespace ridgeline::simulate {
 
-/// f(x) = gradient . x + offset on the plan. It is the height of an inclined plane, or a half-plane if
-/// it is read as f(x) >= 0.
+/// f(x) = gradient . x + offset on the plan. It is the height of an inclined plane, or a half-plane
+/// if it is read as f(x) >= 0.
 struct PlanFunction {
   Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
   double offset = 0.0;

@@ -25,7 +25,8 @@ void aim_oblique(const FlightOptions& options, double azimuth_rad, PlannedView& 
   const Eigen::Vector3d to_camera{std::sin(tilt_rad) * std::sin(azimuth_rad),
                                   std::sin(tilt_rad) * std::cos(azimuth_rad), std::cos(tilt_rad)};
   view.from_middle_m = options.height_above_ground_m * to_camera;
-  // tilted about its rows, a camera stands at -y and looks towards +y; then it is turned to its azimuth
+  // tilted about its rows, a camera stands at -y and looks towards +y; then it is turned to its
+  // azimuth
   view.world_from_camera_axes = world_from_camera_axes(0.0, 0.0, std::numbers::pi - azimuth_rad) *
                                 world_from_camera_axes(tilt_rad, 0.0, 0.0);
 }
@@ -53,7 +54,8 @@ PlannedView planned_view(const FlightOptions& options, const ViewGroup& group, i
   return view;
 }
 
-/// The view of a group that is nearest to the middle of the plan; all oblique views are equally far.
+/// The view of a group that is nearest to the middle of the plan; all oblique views are equally
+/// far.
 int base_of(const ViewGroup& group) {
   return group.kind == ViewGroupKind::kOblique ? 0 : (group.num_views - 1) / 2;
 }
@@ -74,7 +76,8 @@ std::vector<PlannedView> planned_views(const FlightOptions& options) {
     views[0].id = "left";
     views[1].id = "right";
   }
-  // the view after the base is its neighbour, as a group with more than one view has its base before its end
+  // the view after the base is its neighbour, as a group with more than one view has its base
+  // before its end
   const auto base = views.begin() + base_of(options.groups.front());
   std::rotate(views.begin(), base, base + 2);
   return views;

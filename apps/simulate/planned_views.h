@@ -20,10 +20,11 @@ struct PlannedView {
   Eigen::Matrix3d world_from_camera_axes = Eigen::Matrix3d::Identity();
 };
 
-/// All views of a flight. Two are `left` and `right`, more have the name of their group and a number from 1. The base
-/// view comes first, then its neighbour in its group, because the first two views are the pair of all that takes
-/// a pair; then the others as they are flown. The base is the view of the first group that is nearest to the middle of
-/// the plan, of several the first. Throws std::invalid_argument as check_view_groups().
+/// All views of a flight. Two are `left` and `right`, more have the name of their group and a
+/// number from 1. The base view comes first, then its neighbour in its group, because the first two
+/// views are the pair of all that takes a pair; then the others as they are flown. The base is the
+/// view of the first group that is nearest to the middle of the plan, of several the first. Throws
+/// std::invalid_argument as check_view_groups().
 std::vector<PlannedView> planned_views(const FlightOptions& options);
 
 }  // namespace ridgeline::simulate

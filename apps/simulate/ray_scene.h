@@ -47,8 +47,9 @@ class RayScene {
       double min_distance_m = 0.0,
       double max_distance_m = std::numeric_limits<double>::infinity()) const;
 
-  /// first_hit() and occluded() for many rays of similar origin and direction at once, several times faster. There is one
-  /// answer per ray. A ray within single precision of an edge may get another answer than alone.
+  /// first_hit() and occluded() for many rays of similar origin and direction at once, several
+  /// times faster. There is one answer per ray. A ray within single precision of an edge may get
+  /// another answer than alone.
   [[nodiscard]] std::vector<std::optional<Hit>> first_hits(std::span<const Ray> rays) const;
   [[nodiscard]] std::vector<char> occluded(std::span<const Ray> rays) const;
 

@@ -169,8 +169,8 @@ class RowBlock {
     return is_beyond ? beyond_ : in_village_;
   }
 
-  /// Casts the rays of some neighbouring pixels of a row. The lattice is shifted at random from pixel to
-  /// pixel, so that what the rays miss shows as noise and not as a pattern.
+  /// Casts the rays of some neighbouring pixels of a row. The lattice is shifted at random from
+  /// pixel to pixel, so that what the rays miss shows as noise and not as a pattern.
   void cast(int row, int begin_column, int end_column) {
     const std::vector<SubPixelLattice::Position>& positions =
         lattice(row, begin_column, end_column).positions;
@@ -200,7 +200,8 @@ class RowBlock {
     }
   }
 
-  /// The ray of a pixel. It starts just above the scene, so that Embree's single precision is enough.
+  /// The ray of a pixel. It starts just above the scene, so that Embree's single precision is
+  /// enough.
   [[nodiscard]] RayScene::Ray ray(const Eigen::Vector2d& x_px) const {
     const Eigen::Vector3d direction = view_.ray(x_px);
     const double way_m = (renderer_.top_z_m_ - view_.centre_in_local.z()) / direction.z();

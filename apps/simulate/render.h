@@ -52,7 +52,8 @@ class Renderer {
 
   /// Radiance free of noise, CV_32FC4 (red, green, blue, near infrared), rows x columns of the
   /// view; 1: white under the sun at right angles. Pixel (0, 0) is the centre of the top-left
-  /// pixel. Byte-identical for any number of threads. Pixels beyond AerialView::village_px have one ray.
+  /// pixel. Byte-identical for any number of threads. Pixels beyond AerialView::village_px have one
+  /// ray.
   [[nodiscard]] cv::Mat radiance(const AerialView& view) const;
 
   /// The rows [first_row, end_row) of it, the same bytes.

@@ -11,8 +11,8 @@ constexpr double kRoofTouchM = 1e-7;          // bodies that only touch do not c
 constexpr double kMinRoofLineLengthM = 0.01;  // slivers below this are no lines
 constexpr double kHorizontalM = 1e-9;         // height difference over a line
 
-/// Where `part` rises above `height` along the segment. This is one interval, because the outline and planes of the part are
-/// half-planes. It is empty where the two only touch.
+/// Where `part` rises above `height` along the segment. This is one interval, because the outline
+/// and planes of the part are half-planes. It is empty where the two only touch.
 Interval covered_interval(const RoofPart& part,
                           const Segment2& segment,
                           const PlanFunction& height) {

@@ -34,8 +34,8 @@ struct RoofFace {
 /// The faces of all parts, with ids counted from `first_plane_id`.
 std::vector<RoofFace> roof_faces(std::span<const RoofPart> parts, int first_plane_id);
 
-/// Adds planes, lines, joints, faces and triangles of parts that may touch each other, but no other part
-/// of the scene.
+/// Adds planes, lines, joints, faces and triangles of parts that may touch each other, but no other
+/// part of the scene.
 void add_structure(std::span<const RoofPart> parts, Scene& scene);
 
 }  // namespace ridgeline::simulate

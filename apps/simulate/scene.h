@@ -84,8 +84,8 @@ enum class LineKind : std::uint8_t {
 /// The name of the kind in the files: `ridge`, `hip`, ...
 const char* name(LineKind kind);
 
-/// An edge of the top surface. It lies on its planes exactly and, unless it is a foot, is not covered
-/// by another part of a building; trees may hide it.
+/// An edge of the top surface. It lies on its planes exactly and, unless it is a foot, is not
+/// covered by another part of a building; trees may hide it.
 struct SceneLine {
   Segment3 segment{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};  ///< local
   LineKind kind = LineKind::kRidge;
@@ -138,16 +138,17 @@ struct Scene {
   std::vector<SceneFace> faces;  ///< of the buildings, those of one together
 };
 
-/// The true lines in the CRS of the scene. Their id is the number in Scene::lines. They have no class, and no covariance
-/// because they are exact.
+/// The true lines in the CRS of the scene. Their id is the number in Scene::lines. They have no
+/// class, and no covariance because they are exact.
 io::LineSet true_lines(const Scene& scene);
 
-/// The buildings in the CRS of the scene, with their faces and what was drawn for them. The building of true lines "7" is
-/// "building_7", as ids of CityGML begin with a letter.
+/// The buildings in the CRS of the scene, with their faces and what was drawn for them. The
+/// building of true lines "7" is "building_7", as ids of CityGML begin with a letter.
 io::BuildingModel true_model(const Scene& scene);
 
 /// Mean over the planes of true line `line_id` of the mean |distance| of a segment (local) to them:
-/// what an error-free evaluation would report. Throws std::invalid_argument for an unknown line and one without planes.
+/// what an error-free evaluation would report. Throws std::invalid_argument for an unknown line and
+/// one without planes.
 double true_mean_distance(const Scene& scene, const Segment3& segment, int line_id);
 
 }  // namespace ridgeline::simulate

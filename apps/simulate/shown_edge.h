@@ -30,19 +30,22 @@ struct ShownEdge {
   [[nodiscard]] std::vector<Sighting> in_view(std::size_t view) const;
 };
 
-/// All physical edges of a scene with all that the views see of them by the surfaces alone, whatever its contrast.
+/// All physical edges of a scene with all that the views see of them by the surfaces alone,
+/// whatever its contrast.
 std::vector<ShownEdge> shown_edges(const Scene& scene,
                                    const SurfaceOracle& oracle,
                                    const ReferenceOptions& options = {});
 
-/// Measures the contrast of all sightings in a view. `village`: what its image shows of the village.
+/// Measures the contrast of all sightings in a view. `village`: what its image shows of the
+/// village.
 void measure_contrast(std::size_t view, const ImageWindow& village, std::span<ShownEdge> edges);
 
 /// Whether a sighting is long enough and has enough contrast.
 bool is_clear(const Sighting& sighting, const ReferenceOptions& options);
 
-/// The edges without those that coincide in all their sightings, within a pixel, with an edge of lower rank or a longer
-/// one of equal rank. Ordered by the first view that shows them and there from left to right by their first point.
+/// The edges without those that coincide in all their sightings, within a pixel, with an edge of
+/// lower rank or a longer one of equal rank. Ordered by the first view that shows them and there
+/// from left to right by their first point.
 std::vector<ShownEdge> without_duplicates(std::vector<ShownEdge> edges);
 
 }  // namespace ridgeline::simulate

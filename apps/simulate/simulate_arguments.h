@@ -33,8 +33,9 @@ struct SimulateArguments {
 
 void add_simulate_options(CLI::App& app, SimulateArguments& arguments);
 
-/// Sets what --block decides: the strips, the defaults of options that are not given, and the extent of the village.
-/// Throws std::invalid_argument for options that do not go together, with a block or without one.
+/// Sets what --block decides: the strips, the defaults of options that are not given, and the
+/// extent of the village. Throws std::invalid_argument for options that do not go together, with a
+/// block or without one.
 void set_block(const CLI::App& app, SimulateArguments& arguments);
 
 }  // namespace ridgeline::apps

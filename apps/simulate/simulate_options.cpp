@@ -11,8 +11,8 @@ namespace {
 constexpr int kMinTileSide_m = 10;
 constexpr int kMaxTileSide_m = 1000;
 
-/// Sets the options to the test of Chio and Wang 2000: their flight over houses on every lot, with few trees. The plan
-/// is larger than the images.
+/// Sets the options to the test of Chio and Wang 2000: their flight over houses on every lot, with
+/// few trees. The plan is larger than the images.
 void set_chio_wang_geometry(SimulateArguments& a) {
   a.views.flight = simulate::chio_wang_flight();
   a.extent_m = {80.0, 80.0};

@@ -28,7 +28,8 @@ class SurfaceOracle {
 
   [[nodiscard]] std::size_t num_views() const { return views_.size(); }
 
-  /// What a pixel shows. Beyond the mesh it shows the mean terrain; above the horizon the result is empty.
+  /// What a pixel shows. Beyond the mesh it shows the mean terrain; above the horizon the result is
+  /// empty.
   [[nodiscard]] std::optional<Sight> seen_at(std::size_t view, const Eigen::Vector2d& x_px) const;
 
   /// Whether nothing lies between a point and the camera, but for the last `tolerance_m` before
@@ -39,8 +40,8 @@ class SurfaceOracle {
 
   [[nodiscard]] Eigen::Vector2d pixel_of(std::size_t view, const Eigen::Vector3d& x) const;
 
-  /// The pixel of view `to` that shows the same surface point as a pixel of view `from`; nothing where `to` cannot see
-  /// the point.
+  /// The pixel of view `to` that shows the same surface point as a pixel of view `from`; nothing
+  /// where `to` cannot see the point.
   [[nodiscard]] std::optional<Eigen::Vector2d> mate_of(std::size_t from,
                                                        std::size_t to,
                                                        const Eigen::Vector2d& x_px) const;
@@ -65,8 +66,8 @@ struct MatchVerdict {
 
 /// Follows the surface along both flanks of the left segment into the right view. An edge lies on
 /// the surface of one of its sides at least; the other may be a background far below, so the better
-/// side counts. On each side the mates of the points close beside the edge are extrapolated to the edge.
-/// At the edge itself it is chance which surface a pixel shows.
+/// side counts. On each side the mates of the points close beside the edge are extrapolated to the
+/// edge. At the edge itself it is chance which surface a pixel shows.
 MatchVerdict judge_match(const SurfaceOracle& oracle, const Segment2& left, const Segment2& right);
 
 }  // namespace ridgeline::simulate

@@ -20,7 +20,8 @@ struct Row {
 /// Lays out ground, street and lots by rectangles in village coordinates, cut to the extent.
 class Terrain {
  public:
-  /// `azimuth_rad`: angle of the streets to the x axis. Village coordinates begin in the middle of the extent.
+  /// `azimuth_rad`: angle of the streets to the x axis. Village coordinates begin in the middle of
+  /// the extent.
   Terrain(double azimuth_rad, Scene& scene);
 
   [[nodiscard]] Eigen::Vector2d local(const Eigen::Vector2d& uv) const;

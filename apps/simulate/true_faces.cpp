@@ -48,7 +48,8 @@ std::vector<Eigen::Vector3d> tidied(std::vector<Eigen::Vector3d> ring) {
   return ring;
 }
 
-/// A polygon of the plan on a surface; nothing of it if it is a sliver. `holes` of that size are left out.
+/// A polygon of the plan on a surface; nothing of it if it is a sliver. `holes` of that size are
+/// left out.
 std::vector<std::vector<Eigen::Vector3d>> lifted_rings(const PlanPolygon& polygon,
                                                        const PlanFunction& height) {
   std::vector<std::vector<Eigen::Vector3d>> rings;

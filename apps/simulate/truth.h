@@ -15,9 +15,9 @@ struct TruthLine {
   std::vector<int> plane_returns;  ///< per plane: laser returns on it within 1.5 m of the line
 };
 
-/// Gives one result per true line, in order of Scene::lines. A return counts as on a plane if it lies within
-/// 0.15 m of it and, in plan, inside its outline. The cloud must be in the frame of the scene, else
-/// std::invalid_argument; an empty cloud gives zero returns.
+/// Gives one result per true line, in order of Scene::lines. A return counts as on a plane if it
+/// lies within 0.15 m of it and, in plan, inside its outline. The cloud must be in the frame of the
+/// scene, else std::invalid_argument; an empty cloud gives zero returns.
 std::vector<TruthLine> observe_lines(const Scene& scene, const io::PointCloud& cloud);
 
 }  // namespace ridgeline::simulate

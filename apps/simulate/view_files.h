@@ -38,7 +38,8 @@ simulate::SensorOptions sensor_of(const ViewOptions& options, const simulate::Ae
 /// The light in which a view is taken: the sun moves on while the views are taken.
 simulate::RenderOptions light_of(const ViewOptions& options, const simulate::AerialView& view);
 
-/// The TIFF of a view, which takes its rows from top to bottom as photograph() hands them over; frames are tiled.
+/// The TIFF of a view, which takes its rows from top to bottom as photograph() hands them over;
+/// frames are tiled.
 class ViewFile {
  public:
   ViewFile(std::string path, const simulate::AerialView& view, const ViewOptions& options);
@@ -52,8 +53,8 @@ class ViewFile {
   std::optional<io::TiffWriter> writer_;  ///< from the first rows on, which tell the type
 };
 
-/// Whole frames are of one camera. Other images are of one each, whose principal point is off the middle, and which is
-/// named after the image, since PAT-B names no cameras.
+/// Whole frames are of one camera. Other images are of one each, whose principal point is off the
+/// middle, and which is named after the image, since PAT-B names no cameras.
 io::Orientation orientation_of(const simulate::Scene& scene,
                                std::span<const simulate::AerialView> views,
                                bool are_frames);

@@ -24,12 +24,12 @@ struct ViewGroup {
   int num_views = 2;
 };
 
-/// The groups of a list as `strip:3,cross:2`. Throws std::invalid_argument for a text that is no such list and as
-/// check_view_groups() does.
+/// The groups of a list as `strip:3,cross:2`. Throws std::invalid_argument for a text that is no
+/// such list and as check_view_groups() does.
 std::vector<ViewGroup> parse_view_groups(std::string_view text);
 
-/// Throws std::invalid_argument for a group without views, a kind that is there twice, fewer than 2 views and more
-/// than 30.
+/// Throws std::invalid_argument for a group without views, a kind that is there twice, fewer than 2
+/// views and more than 30.
 void check_view_groups(std::span<const ViewGroup> groups);
 
 }  // namespace ridgeline::simulate

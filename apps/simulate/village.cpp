@@ -185,7 +185,8 @@ class VillageBuilder {
     return trunks;
   }
 
-  /// Whether a tree may stand at `x`. Its crown may hang over a roof by up to a metre; its trunk keeps off the walls.
+  /// Whether a tree may stand at `x`. Its crown may hang over a roof by up to a metre; its trunk
+  /// keeps off the walls.
   [[nodiscard]] bool is_free(const Eigen::Vector2d& x,
                              double radius_m,
                              std::size_t first_building) const {

@@ -6,7 +6,8 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// Whether a view sees a point of an edge: nothing hides it and its two sides show different surfaces.
+/// Whether a view sees a point of an edge: nothing hides it and its two sides show different
+/// surfaces.
 bool is_seen(const SurfaceOracle& oracle,
              std::size_t view,
              const Eigen::Vector3d& x,

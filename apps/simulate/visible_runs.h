@@ -33,7 +33,8 @@ std::vector<Interval> visible_runs(const SurfaceOracle& oracle,
 /// The share of an edge that its runs are.
 double total_length(const std::vector<Interval>& runs);
 
-/// How much of each true line each view sees: shares of its length by line, in order of Scene::lines, and view.
+/// How much of each true line each view sees: shares of its length by line, in order of
+/// Scene::lines, and view.
 std::vector<std::vector<double>> visible_shares(const Scene& scene,
                                                 const SurfaceOracle& oracle,
                                                 const ReferenceOptions& options = {});

@@ -30,7 +30,8 @@ PlanFunction lowered(PlanFunction height, double by_m) {
   return height;
 }
 
-/// Where the body of `part`, up to the underside of its roof, rises above `surface` along the segment.
+/// Where the body of `part`, up to the underside of its roof, rises above `surface` along the
+/// segment.
 Interval rises_above(const RoofPart& part, const PlanFunction& surface, const Segment2& segment) {
   Interval interval = clip({}, segment, lowered(surface, part.base_z_m));
   for (const PlanFunction& top : part.tops) {
@@ -67,7 +68,8 @@ class FootCollector {
     if (!interval.empty()) add(wall, interval, {face.height, face.plane_id}, face.part);
   }
 
-  /// Adds the pieces of a wall's foot on a surface, that of the part `bearer` or the ground, where no other part stands.
+  /// Adds the pieces of a wall's foot on a surface, that of the part `bearer` or the ground, where
+  /// no other part stands.
   void add(const StandingWall& wall, Interval within, const GroundPlane& surface, int bearer) {
     const Interval high = rises_above(wall.part, surface.height, wall.foot);
     within = {std::max(within.begin, high.begin), std::min(within.end, high.end)};

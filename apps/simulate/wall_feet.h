@@ -14,9 +14,9 @@ struct GroundPlane {
   int plane_id = kNone;  ///< index into Scene::planes
 };
 
-/// Where walls of the parts meet the ground or the roof of another part: lines of kind foot, each on the lower surface.
-/// Overhanging roofs do not cut them off. Chimneys give none; pieces below 0.5 m are left out. `faces`: roof_faces()
-/// of the parts.
+/// Where walls of the parts meet the ground or the roof of another part: lines of kind foot, each
+/// on the lower surface. Overhanging roofs do not cut them off. Chimneys give none; pieces below
+/// 0.5 m are left out. `faces`: roof_faces() of the parts.
 std::vector<SceneLine> wall_feet(std::span<const RoofPart> parts,
                                  std::span<const RoofFace> faces,
                                  const GroundPlane& ground);

@@ -21,9 +21,9 @@ std::vector<std::string> block_file_names(const simulate::Scene& scene,
                                           std::span<const simulate::AerialView> frames,
                                           const SimulateArguments& arguments);
 
-/// Writes a block: the LIDAR in tiles, the orientation, the frames, with fittings in the village, and block.yaml,
-/// which names them and truth.geojson. One tile and some rows of a frame are in memory at a time. Returns the number of
-/// laser points.
+/// Writes a block: the LIDAR in tiles, the orientation, the frames, with fittings in the village,
+/// and block.yaml, which names them and truth.geojson. One tile and some rows of a frame are in
+/// memory at a time. Returns the number of laser points.
 std::size_t write_block(const simulate::Scene& bare_scene,
                         std::span<const simulate::AerialView> frames,
                         const std::string& block_id,

@@ -38,8 +38,8 @@ const Evaluation* counterpart(const Evaluation& e,
   return others[product_index(others, &Evaluation::method)];
 }
 
-/// Whether `joint` may have adjusted lines to faces. It is taken to have done so in a run whose options are not known,
-/// so that a difference from direct is no sign of a defect there.
+/// Whether `joint` may have adjusted lines to faces. It is taken to have done so in a run whose
+/// options are not known, so that a difference from direct is no sign of a defect there.
 bool may_adjust_to_faces(const ResultFolder& folder) {
   return folder.joint_adjusts_to_faces.value_or(true);
 }

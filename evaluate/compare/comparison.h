@@ -28,7 +28,8 @@ struct PairedLine {
 /// The paired figures of a class.
 struct PairedSummary {
   std::string line_class;
-  /// Number of lines, and of those that B has closer to their planes, unchanged within 1 mm and farther off than A.
+  /// Number of lines, and of those that B has closer to their planes, unchanged within 1 mm and
+  /// farther off than A.
   std::size_t n = 0, n_improved = 0, n_unchanged = 0, n_worse = 0;
   std::size_t n_clusters = 0;
   std::optional<double> rms_a_m, rms_b_m;
@@ -59,9 +60,10 @@ struct Comparison {
   std::vector<PairedSummary> classes;      ///< not_aligned, aligned, total; or total alone
   std::vector<PairedLine> worst;           ///< up to 10 lines that lost most from A to B
   std::vector<Summary> own_a, own_b;       ///< each on its own lines, as published tables are
-  /// Number of not_aligned lines on which direct and joint differ. They solve these lines by the same
-  /// code unless joint adjusts them to faces, so every such line shows a defect. Empty for other pairs
-  /// of methods, if joint adjusts lines to faces, and if lines were moved before they were judged.
+  /// Number of not_aligned lines on which direct and joint differ. They solve these lines by the
+  /// same code unless joint adjusts them to faces, so every such line shows a defect. Empty for
+  /// other pairs of methods, if joint adjusts lines to faces, and if lines were moved before they
+  /// were judged.
   std::optional<std::size_t> n_not_aligned_differing;
 };
 
@@ -85,10 +87,10 @@ struct ComparisonReport {
 };
 
 /// Compares each folder with the first one. Evaluations of the same patch and method are paired. If
-/// both folders have exactly one evaluation of a patch, the two are paired whatever their methods are
-/// called. compare_in_space() compares them, unless both recorded the same segments, matches and
-/// number of views, which number the lines, or one does not know where its lines lie.
-/// Throws std::invalid_argument for fewer than two folders or if nothing can be paired.
+/// both folders have exactly one evaluation of a patch, the two are paired whatever their methods
+/// are called. compare_in_space() compares them, unless both recorded the same segments, matches
+/// and number of views, which number the lines, or one does not know where its lines lie. Throws
+/// std::invalid_argument for fewer than two folders or if nothing can be paired.
 ComparisonReport compare_folders(std::span<const ResultFolder> folders);
 
 /// Compares the methods of one folder, each with the first method of its patch: files of lines in
@@ -102,16 +104,16 @@ struct WorseFigure {
   std::optional<double> b;
 };
 
-/// Where a figure of all lines is worse in B than in A by more than the margin; of each comparison. A figure that B lacks and A
-/// has is worse.
+/// Where a figure of all lines is worse in B than in A by more than the margin; of each comparison.
+/// A figure that B lacks and A has is worse.
 std::vector<WorseFigure> worse_figures(
     const ComparisonReport& report,
     const std::function<std::optional<double>(const Summary&)>& figure,
     bool more_is_better,
     double margin);
 
-/// The report as Markdown: for each comparison a table on the common lines, one on the own lines of either side and one
-/// of the worst lines; then the warnings.
+/// The report as Markdown: for each comparison a table on the common lines, one on the own lines of
+/// either side and one of the worst lines; then the warnings.
 std::string to_markdown(const ComparisonReport& report);
 std::string to_terminal(const ComparisonReport& report);  ///< the report in aligned columns
 

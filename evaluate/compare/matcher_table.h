@@ -9,8 +9,8 @@
 
 namespace ridgeline::evaluate {
 
-/// The figures of a run with one setting of the matching on a patch, or on all patches. They are sums,
-/// so that patches can be pooled.
+/// The figures of a run with one setting of the matching on a patch, or on all patches. They are
+/// sums, so that patches can be pooled.
 struct MatcherFigures {
   std::string patch;
   std::string run;      ///< the folder of the run

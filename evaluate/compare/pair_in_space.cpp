@@ -50,7 +50,8 @@ struct Candidate {
   double gap_m;
 };
 
-/// Candidates that share segments, directly or by others, together; in the order of their first ones.
+/// Candidates that share segments, directly or by others, together; in the order of their first
+/// ones.
 std::vector<std::vector<Candidate>> groups_of(const std::vector<Candidate>& candidates,
                                               std::size_t n_a,
                                               std::size_t n_b) {
@@ -71,8 +72,9 @@ std::vector<std::vector<Candidate>> groups_of(const std::vector<Candidate>& cand
   return groups;
 }
 
-/// Minimises the sum of the costs of one column for each row by the Hungarian method with potentials (Kuhn 1955; Jonker and
-/// Volgenant 1987), for at most as many rows as columns. Returns the column of each row.
+/// Minimises the sum of the costs of one column for each row by the Hungarian method with
+/// potentials (Kuhn 1955; Jonker and Volgenant 1987), for at most as many rows as columns. Returns
+/// the column of each row.
 std::vector<std::size_t> cheapest_columns(const Eigen::MatrixXd& costs) {
   const auto n = static_cast<std::size_t>(costs.rows()), m = static_cast<std::size_t>(costs.cols());
   // row and column 0 stand for "none"
@@ -128,7 +130,8 @@ std::vector<std::pair<std::size_t, std::size_t>> nearest_first(std::vector<Candi
   return pairs;
 }
 
-/// The pairs of a group with the smallest sum of gaps, where a segment of a without a partner counts kMaxPairDistance_m.
+/// The pairs of a group with the smallest sum of gaps, where a segment of a without a partner
+/// counts kMaxPairDistance_m.
 std::vector<std::pair<std::size_t, std::size_t>> assignment(const std::vector<Candidate>& group) {
   if (group.size() == 1) return {{group[0].a, group[0].b}};
   std::map<std::size_t, Eigen::Index> rows, columns;

@@ -30,15 +30,17 @@ enum class BuildingVerdict : std::uint8_t {
   kWrongHeight,  ///< most of what is wrong, by area; the same for the next two
   kWrongTilt,
   kWrongOutline,
-  kChanged,  ///< too many points over it lie on none of its planes: the scan has a roof of another shape
-  kGone,  ///< the scan has the ground in its place
+  kChanged,  ///< too many points over it lie on none of its planes: the scan has a roof of another
+             ///< shape
+  kGone,     ///< the scan has the ground in its place
 };
 inline constexpr std::array kBuildingVerdicts{
     BuildingVerdict::kRight,        BuildingVerdict::kShifted,     BuildingVerdict::kTooHigh,
     BuildingVerdict::kTooLow,       BuildingVerdict::kWrongHeight, BuildingVerdict::kWrongTilt,
     BuildingVerdict::kWrongOutline, BuildingVerdict::kChanged,     BuildingVerdict::kGone,
     BuildingVerdict::kNotJudged};
-/// "right", "shifted", "too high", "too low", "wrong height", "wrong tilt", "wrong outline", "changed", "gone" or "not judged".
+/// "right", "shifted", "too high", "too low", "wrong height", "wrong tilt", "wrong outline",
+/// "changed", "gone" or "not judged".
 const char* text(BuildingVerdict verdict);
 
 /// A building by its judged lines and faces.
@@ -48,14 +50,15 @@ struct BuildingRow {
 
   int n_lines = 0, n_judged_lines = 0;  ///< those of LineEvaluation::building
   std::optional<double> rms_m;          ///< of the judged lines' mean distances
-  std::string
-      worst_line;  ///< the judged line of the largest mean distance, the first of several; "" for none
+  std::string worst_line;  ///< the judged line of the largest mean distance, the first of several;
+                           ///< "" for none
   std::optional<double> worst_distance_m;
 
   int n_faces = 0, n_judged_faces = 0;
   double area_m2 = 0.0;         ///< of its faces but walls, on their planes
   double judged_area_m2 = 0.0;  ///< of the judged faces: those that were evaluated or have no plane
-  /// Shares of judged_area_m2 by the faces' verdicts; a face may be in several. A face without a plane is in none.
+  /// Shares of judged_area_m2 by the faces' verdicts; a face may be in several. A face without a
+  /// plane is in none.
   double wrong_height = 0.0, wrong_tilt = 0.0, wrong_outline = 0.0;
   EdgeHeights heights;
   /// Of the points over the judged faces, those on no plane of a face nearby; empty without points.
@@ -64,7 +67,8 @@ struct BuildingRow {
   std::optional<Eigen::Vector3d> shift_m;
 
   std::size_t n_points = 0;  ///< of points_rms_m
-  /// Root mean square and 90 % quantile of PointDistances::to_surface_m, root mean square of to_roof_m.
+  /// Root mean square and 90 % quantile of PointDistances::to_surface_m, root mean square of
+  /// to_roof_m.
   std::optional<double> points_rms_m, points_p90_m, roof_points_rms_m;
   double covered = 0.0;  ///< share of area_m2 that has points on its faces' planes nearby
 };
@@ -80,10 +84,13 @@ std::vector<BuildingRow> building_table(std::span<const RoofBuilding> buildings,
                                         std::span<const LineEvaluation> lines,
                                         const FaceOptions& options);
 
-/// `buildings.csv`: method,id,verdict,n_lines,n_judged_lines,rms_m,worst_line,worst_distance_m,n_faces,n_judged_faces,area_m2,
-/// judged_area_m2,wrong_height_share,wrong_tilt_share,wrong_outline_share,ridge_height_m,eave_height_m,unexplained_share,shift_x_m,
-/// shift_y_m,shift_z_m,n_points,points_rms_m,points_p90_m,roof_points_rms_m,covered_share. Heights and shifts
-/// are model minus scan. Four decimals, one for areas; an empty cell is a figure that does not exist.
+/// `buildings.csv`:
+/// method,id,verdict,n_lines,n_judged_lines,rms_m,worst_line,worst_distance_m,n_faces,
+/// n_judged_faces,area_m2,judged_area_m2,wrong_height_share,wrong_tilt_share,wrong_outline_share,
+/// ridge_height_m,eave_height_m,unexplained_share,shift_x_m,shift_y_m,shift_z_m,n_points,
+/// points_rms_m,points_p90_m,roof_points_rms_m,covered_share.
+/// Heights and shifts are model minus scan. Four decimals, one for areas; an empty cell is a figure
+/// that does not exist.
 std::string buildings_csv_header();
 /// The rows of one method.
 std::string buildings_csv_rows(const std::string& method, std::span<const BuildingRow> rows);

@@ -74,7 +74,8 @@ class Partners {
   BoxIndex index_;
 };
 
-/// How high the edge lies above the line in which two planes meet; nothing for planes that are nearly parallel.
+/// How high the edge lies above the line in which two planes meet; nothing for planes that are
+/// nearly parallel.
 std::optional<double> above_intersection_m(const LevelEdge& edge,
                                            const Plane3& a,
                                            const Plane3& b) {

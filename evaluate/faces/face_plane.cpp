@@ -24,7 +24,8 @@ std::vector<ZonePoint> candidates(std::span<const FacePoint> points,
   const double tilt_rad = options.max_tilt_deg * kRadPerDeg;
   constexpr double kNearlyUpright_rad = 89.0 * kRadPerDeg;
   const double steeper = std::tan(std::min(slope_rad + tilt_rad, kNearlyUpright_rad));
-  // how far a plane of another tilt gets away from the face's own, per metre from the centroid in plan
+  // how far a plane of another tilt gets away from the face's own, per metre from the centroid in
+  // plan
   const double spread =
       std::max(steeper - std::tan(slope_rad), std::tan(slope_rad) - std::tan(slope_rad - tilt_rad));
   const double farthest_m =

@@ -12,10 +12,10 @@
 
 namespace ridgeline::evaluate {
 
-/// The plane of the points over a face: of the planes that search_planes() finds in them and that are like the face's own
-/// (FaceOptions::max_height_m at its centroid, max_tilt_deg), the one with the most points. Points near the outline are
-/// left out. It is fitted anew to the points within JudgeOptions::inlier_distance_m until these stay the same; its sigma0 is
-/// untruncated_sigma_m().
+/// The plane of the points over a face: of the planes that search_planes() finds in them and that
+/// are like the face's own (FaceOptions::max_height_m at its centroid, max_tilt_deg), the one with
+/// the most points. Points near the outline are left out. It is fitted anew to the points within
+/// JudgeOptions::inlier_distance_m until these stay the same; its sigma0 is untruncated_sigma_m().
 /// @param points  points_around() of the face
 /// @return nothing if no such plane holds JudgeOptions::min_points
 std::optional<PlaneFit> find_face_plane(std::span<const FacePoint> points,
@@ -23,20 +23,23 @@ std::optional<PlaneFit> find_face_plane(std::span<const FacePoint> points,
                                         const FaceOptions& options,
                                         const PointNormals& normals = {});
 
-/// The plane fitted anew without the points that may belong to a neighbour as well: those that lie on its plane, too, no farther
-/// than FaceOptions::reach_m from it. Where a face reaches over the ridge, the points behind it would tilt its plane. Planes that
-/// are nearly one (JudgeOptions::ridge_angle_deg) share their points.
+/// The plane fitted anew without the points that may belong to a neighbour as well: those that lie
+/// on its plane, too, no farther than FaceOptions::reach_m from it. Where a face reaches over the
+/// ridge, the points behind it would tilt its plane. Planes that are nearly one
+/// (JudgeOptions::ridge_angle_deg) share their points.
 /// @return `fit` itself if too few points remain
 PlaneFit refit_face_plane(std::span<const FacePoint> points,
                           const PlaneFit& fit,
                           std::span<const NeighbourFace> neighbours,
                           const FaceOptions& options);
 
-/// The standard deviation with which a plane's uncertainty follows from n points that were kept because they lie within `limit_m`
-/// of it. With k = limit / sigma and g = 1 - 2 k phi(k) / (2 Phi(k) - 1), normal residuals that are cut off there have the standard
-/// deviation sqrt(g) sigma, and the plane that is fitted to them, with the cut-off repeated, errs like one of residuals of 1 / g
-/// times that (the skipped mean in Huber and Ronchetti, Robust Statistics, 2009, section 4). At k = 3 this is 1.03, below k = 1.5 the
-/// normal distribution is no model any more: the factor stays at 1.81.
+/// The standard deviation with which a plane's uncertainty follows from n points that were kept
+/// because they lie within `limit_m` of it. With k = limit / sigma and g = 1 - 2 k phi(k) / (2
+/// Phi(k) - 1), normal residuals that are cut off there have the standard deviation sqrt(g) sigma,
+/// and the plane that is fitted to them, with the cut-off repeated, errs like one of residuals of 1
+/// / g times that (the skipped mean in Huber and Ronchetti, Robust Statistics, 2009, section 4). At
+/// k = 3 this is 1.03, below k = 1.5 the normal distribution is no model any more: the factor stays
+/// at 1.81.
 /// @param truncated_m  standard deviation of the points that were kept
 double untruncated_sigma_m(double truncated_m, double limit_m);
 

@@ -24,9 +24,9 @@ struct Corridor {
 };
 Corridor corridor_of(const Eigen::AlignedBox2d& box);
 
-/// The points over a face that is not degenerate and up to `reach_m` beside it in plan, whatever their height. They are in the
-/// order of x, then y, then z, and points at the same place are one, so that the same points give the same result in
-/// whatever order they come.
+/// The points over a face that is not degenerate and up to `reach_m` beside it in plan, whatever
+/// their height. They are in the order of x, then y, then z, and points at the same place are one,
+/// so that the same points give the same result in whatever order they come.
 std::vector<FacePoint> points_around(const PointSearch& search,
                                      const RoofFace& face,
                                      double reach_m);

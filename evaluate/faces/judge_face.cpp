@@ -53,8 +53,8 @@ std::vector<Eigen::Vector2d> points_on(const Plane3& plane,
   return on_plane;
 }
 
-/// Points on the wall below an edge and those that rays past it meet are neither missing nor unexplained, unless the edge is
-/// too far out.
+/// Points on the wall below an edge and those that rays past it meet are neither missing nor
+/// unexplained, unless the edge is too far out.
 void set_areas(std::span<const FacePoint> points,
                std::span<const PlacedPoint> places,
                const RoofFace& face,

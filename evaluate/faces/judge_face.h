@@ -16,7 +16,8 @@ FaceEvaluation find_plane(const PointSearch& search,
                           const RoofFace& face,
                           const FaceOptions& options);
 
-/// Then, for an evaluation by find_plane(), the plane without the points that a neighbour may own, and the face's difference to it.
+/// Then, for an evaluation by find_plane(), the plane without the points that a neighbour may own,
+/// and the face's difference to it.
 /// @param neighbours  the other faces around, with their planes by find_plane()
 void refine_plane(const PointSearch& search,
                   const RoofFace& face,
@@ -25,7 +26,8 @@ void refine_plane(const PointSearch& search,
                   FaceEvaluation& evaluation);
 
 /// At last the outline, what the points over the face lie on, and the verdict.
-/// @param neighbours  as before: where the points lie on a neighbour's plane as well, the face does not go on beyond its outline
+/// @param neighbours  as before: where the points lie on a neighbour's plane as well, the face does
+/// not go on beyond its outline
 void judge_outline(const PointSearch& search,
                    const RoofFace& face,
                    std::span<const NeighbourFace> neighbours,

@@ -10,7 +10,8 @@ namespace ridgeline::evaluate {
 
 /// How faces of building models are judged, see judge_faces(). Metres of the local frame, degrees.
 struct FaceOptions {
-  /// Noise of the cloud, inliers and sample consensus, as for lines. A face steeper than `max_slope_deg` is a wall.
+  /// Noise of the cloud, inliers and sample consensus, as for lines. A face steeper than
+  /// `max_slope_deg` is a wall.
   JudgeOptions judge;
 
   /// A plane that is farther from the face's own in height is another surface.
@@ -26,12 +27,12 @@ struct FaceOptions {
   double height_tolerance_m = 0.10;   ///< 3 sigma of the cloud
   double tilt_tolerance_deg = 1.0;    ///< 9 cm at the ridge of a face of 5 m
   double outline_tolerance_m = 0.30;  ///< of an edge of the outline
-  /// So many points more must speak for an edge's other place than for its own. If one point in ten lies on the wrong
-  /// surface, the odds of five are 9^5 to 1.
+  /// So many points more must speak for an edge's other place than for its own. If one point in ten
+  /// lies on the wrong surface, the odds of five are 9^5 to 1.
   int min_contradictions = 5;
 
-  /// Above this share of points over a building's faces that lie on none of its planes, the building lacks faces. Unmodelled
-  /// dormers and chimneys are below it as a rule.
+  /// Above this share of points over a building's faces that lie on none of its planes, the
+  /// building lacks faces. Unmodelled dormers and chimneys are below it as a rule.
   double max_unexplained = 0.25;
   double max_wrong_share = 0.25;  ///< of a building's judged area; above, the building is wrong
 

@@ -43,7 +43,8 @@ PlacedPoint placed(const FacePoint& point,
   return result;
 }
 
-/// The places in plan beside an edge that are nearer to it than to any other, by their distance from it.
+/// The places in plan beside an edge that are nearer to it than to any other, by their distance
+/// from it.
 class EdgeCell {
  public:
   EdgeCell(const PlanPolygon& plan, std::size_t edge, double reach_m) : step_m_(reach_m / kSteps) {
@@ -66,7 +67,8 @@ class EdgeCell {
   static constexpr int kSteps = 6;
   static constexpr int kPlaces = 16;  // along the edge
 
-  /// The length of the edge beside which places at this distance belong to it, within the polygon and outside of it.
+  /// The length of the edge beside which places at this distance belong to it, within the polygon
+  /// and outside of it.
   static std::pair<double, double> widths_m(const PlanPolygon& plan,
                                             std::size_t edge,
                                             double distance_m) {
@@ -95,11 +97,13 @@ struct Votes {
   double points_per_m2 = 0.0;       ///< of the face on its plane
 };
 
-/// So many expected points weigh as much as one that lies on the plane. A strip where the plane has ended still has a share e of
-/// the points that it would have: n of m speak for an end with the log-likelihood ratio (1 - e) m - n log(1 / e).
+/// So many expected points weigh as much as one that lies on the plane. A strip where the plane has
+/// ended still has a share e of the points that it would have: n of m speak for an end with the
+/// log-likelihood ratio (1 - e) m - n log(1 / e).
 constexpr double kWeightOfOne = 2.56;  // log(1 / e) / (1 - e) with e = 0.1
 
-/// One return below a strip shows that so many rays came through: slanting ones may meet the ground elsewhere.
+/// One return below a strip shows that so many rays came through: slanting ones may meet the ground
+/// elsewhere.
 constexpr double kRaysOfOne = 3.0;
 
 /// The strips between an edge and the votes on one of its sides, from the nearest vote on.

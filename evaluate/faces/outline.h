@@ -18,7 +18,8 @@ enum class PointPlace : std::uint8_t {
   kOtherOrOnFace,  ///< on both planes, nearer to the other one
   kElsewhere,      ///< below the face's plane, or on another one
   kAbove,    ///< above the face's plane and on no other: its ray ended before it reached the face
-  kUnknown,  ///< it may belong to either: planes that are nearly one, faces one above the other, or a neighbour without a plane
+  kUnknown,  ///< it may belong to either: planes that are nearly one, faces one above the other, or
+             ///< a neighbour without a plane
 };
 
 struct PlacedPoint {
@@ -34,10 +35,12 @@ std::vector<PlacedPoint> placed_points(std::span<const FacePoint> points,
                                        std::span<const NeighbourFace> neighbours,
                                        const FaceOptions& options);
 
-/// For each edge of the outline the place that the points beside it speak for, of several the nearest to the edge's own. A face
-/// is too large where its plane has no points in a strip along the edge although rays came through, and too small where its
-/// plane goes on. Points below the plane do not show by themselves that it is too large: slanting rays meet walls and ground
-/// under an overhang. An edge with fewer than twice FaceOptions::min_contradictions points beside it is left out.
+/// For each edge of the outline the place that the points beside it speak for, of several the
+/// nearest to the edge's own. A face is too large where its plane has no points in a strip along
+/// the edge although rays came through, and too small where its plane goes on. Points below the
+/// plane do not show by themselves that it is too large: slanting rays meet walls and ground under
+/// an overhang. An edge with fewer than twice FaceOptions::min_contradictions points beside it is
+/// left out.
 /// @param points_per_m2  in plan, of the face on its plane
 std::vector<EdgeOffset> edge_offsets(std::span<const FacePoint> points,
                                      std::span<const PlacedPoint> places,

@@ -8,10 +8,12 @@
 
 namespace ridgeline::evaluate {
 
-/// Tangent of the largest angle of a laser's ray to the vertical, 31 degrees: airborne scanners look up to 30 to each side.
+/// Tangent of the largest angle of a laser's ray to the vertical, 31 degrees: airborne scanners
+/// look up to 30 to each side.
 inline constexpr double kMaxRayTangent = 0.6;
 
-/// Whether a slanting ray that passes by a roof may have met this place under it: a wall, or the ground under an overhang.
+/// Whether a slanting ray that passes by a roof may have met this place under it: a wall, or the
+/// ground under an overhang.
 /// @param x        in plan
 /// @param below_m  how far it lies below the roof
 /// @param is_over  whether a place in plan lies under the roof

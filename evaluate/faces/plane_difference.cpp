@@ -55,7 +55,8 @@ class HalfWidth {
   double quantile_;
 };
 
-/// The angle from the face's normal to the fitted one towards `axis`, which is at right angles to the former.
+/// The angle from the face's normal to the fitted one towards `axis`, which is at right angles to
+/// the former.
 Estimate part_of_angle(const RoofFace& face,
                        const PlaneFit& fit,
                        const Eigen::Vector3d& axis,
@@ -104,7 +105,8 @@ bool exceeds(const Estimate& estimate, double tolerance) {
   return std::abs(estimate.value) - estimate.half_width > tolerance;
 }
 
-/// The smallest distance of the face's vertices above the plane of its points, or below it, whichever the centroid is.
+/// The smallest distance of the face's vertices above the plane of its points, or below it,
+/// whichever the centroid is.
 double smallest_shift_m(const RoofFace& face, const PlaneFit& fit, double sign) {
   double smallest_m = HUGE_VAL;
   for (const Eigen::Vector3d& vertex : face.rings.front()) {

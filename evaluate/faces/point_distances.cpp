@@ -108,7 +108,8 @@ class BuildingSurfaces {
     return nearest_m;
   }
 
-  /// How far a point lies below the part of the roof that is next to it in height, negative above; nothing beside the roof.
+  /// How far a point lies below the part of the roof that is next to it in height, negative above;
+  /// nothing beside the roof.
   [[nodiscard]] std::optional<double> below_roof_m(const Eigen::Vector3d& x) const {
     std::optional<double> nearest_m;
     for (const RoofFace* roof : roofs_) {

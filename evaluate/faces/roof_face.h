@@ -16,8 +16,9 @@ namespace ridgeline::evaluate {
 struct RoofFace {
   std::string id;
   std::vector<std::vector<Eigen::Vector3d>> rings;  ///< the outer one, then holes; not closed
-  /// Neither a plane nor an area: fewer than three vertices, a coordinate that is not finite or more than 10,000 km off, a face
-  /// longer than 10 km, or an area below 1 mm^2. Only id and rings are set.
+  /// Neither a plane nor an area: fewer than three vertices, a coordinate that is not finite or
+  /// more than 10,000 km off, a face longer than 10 km, or an area below 1 mm^2. Only id and rings
+  /// are set.
   bool degenerate = true;
 
   Plane3 plane{Eigen::Vector3d::UnitZ(), 0.0};         ///< of the vertices, normal upwards
@@ -40,8 +41,9 @@ inline bool is_upright(const RoofFace& face) {
   return slope_rad(face.plane) > kUpright_deg * kRadPerDeg;
 }
 
-/// The normal is Newell's, of the outer ring: the sum of the vertices' cross products, which needs no choice of three
-/// vertices; the plane goes through the mean of the ring's vertices. Rings may run either way round.
+/// The normal is Newell's, of the outer ring: the sum of the vertices' cross products, which needs
+/// no choice of three vertices; the plane goes through the mean of the ring's vertices. Rings may
+/// run either way round.
 RoofFace make_roof_face(std::string id, std::vector<std::vector<Eigen::Vector3d>> rings);
 
 }  // namespace ridgeline::evaluate

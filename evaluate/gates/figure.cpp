@@ -89,7 +89,8 @@ std::vector<Summary> classes_of_images(const Evaluation& e, int n_images) {
   return summarize_classes(lines, e.options);
 }
 
-/// The share of the buildings with judged lines of a class whose lines have an RMS of Gate::within_m at most.
+/// The share of the buildings with judged lines of a class whose lines have an RMS of
+/// Gate::within_m at most.
 Figure building_figure(const Evaluation& e, const std::string& line_class, const Gate& gate) {
   struct Sum {
     double squares_m2 = 0.0;

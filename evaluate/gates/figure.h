@@ -27,12 +27,12 @@ struct Figure {
   std::string why_missing;  ///< a sentence, empty if there is a value
 };
 
-/// The figures that a gate concerns, with `line_class` in place of the gate's own class. For the patch
-/// that the gate names, or for each patch, there is at least one; it has no value if the results have
-/// no such figure.
-/// A gate that names no method concerns what the run is for. For a reconstructed patch that is the
-/// last of direct, joint and network that was run; for an evaluation of line files it is every file;
-/// for figures of matching it is the matches of both matchers together, else the matcher that was run.
+/// The figures that a gate concerns, with `line_class` in place of the gate's own class. For the
+/// patch that the gate names, or for each patch, there is at least one; it has no value if the
+/// results have no such figure. A gate that names no method concerns what the run is for. For a
+/// reconstructed patch that is the last of direct, joint and network that was run; for an
+/// evaluation of line files it is every file; for figures of matching it is the matches of both
+/// matchers together, else the matcher that was run.
 std::vector<Figure> figures_of(const Gate& gate,
                                const std::string& line_class,
                                const ResultFolder& folder);

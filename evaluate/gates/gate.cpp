@@ -74,7 +74,8 @@ void check_decoys(const Gate& gate) {
         "max_ratio_to: decoy_share has no classes to relate to each other");
 }
 
-/// An upper end says nothing on a figure that must not fall, and another figure's interval is not known here.
+/// An upper end says nothing on a figure that must not fall, and another figure's interval is not
+/// known here.
 void check_bound(const Gate& gate) {
   if (gate.bound == GateBound::kPoint) return;
   check(has_clustered_interval(gate.metric), "bound: upper95; ", gate.metric,
@@ -105,7 +106,8 @@ void check_same_inputs(const ResultFolder& results, const ResultFolder& baseline
         ": it has inputs that these results do not have; a baseline must rest on the same inputs");
 }
 
-/// The figure of the same cell in the baseline. If the baseline has none, the result says why in place of a value.
+/// The figure of the same cell in the baseline. If the baseline has none, the result says why in
+/// place of a value.
 Figure baseline_figure(const Gate& gate, const Figure& figure, const ResultFolder* baseline) {
   Figure none;
   none.why_missing = "no baseline is given (--baseline)";
@@ -118,7 +120,8 @@ Figure baseline_figure(const Gate& gate, const Figure& figure, const ResultFolde
   return found;
 }
 
-/// A result without a verdict, with what is known of the figure. `rule` is what is asked of it, "<= 0.3".
+/// A result without a verdict, with what is known of the figure. `rule` is what is asked of it, "<=
+/// 0.3".
 GateResult begin_result(const Gate& gate, const Figure& figure, const std::string& rule) {
   GateResult result;
   const std::string of_images =
@@ -217,7 +220,8 @@ GateResult apply_ratio(const Gate& gate, const Figure& figure, const ResultFolde
   return settle(std::move(result), gate, Bound::kUpper);
 }
 
-/// `allowance` is how far the figure may be off the baseline; if it is empty, that of BaselineIncrease holds.
+/// `allowance` is how far the figure may be off the baseline; if it is empty, that of
+/// BaselineIncrease holds.
 GateResult apply_baseline(const Gate& gate,
                           const Figure& figure,
                           const ResultFolder* baseline,

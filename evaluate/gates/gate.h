@@ -49,9 +49,9 @@ struct Gate {
   std::optional<std::size_t> n_min;  ///< with fewer lines the gate is "insufficient", which fails
 };
 
-/// Throws std::invalid_argument for a gate that cannot decide: without a rule, with an unknown metric,
-/// with a class for a figure of matching, with a limit that the figure cannot have, or with GateBound::kUpper95 for a figure
-/// without a clustered interval or for another rule than `max`.
+/// Throws std::invalid_argument for a gate that cannot decide: without a rule, with an unknown
+/// metric, with a class for a figure of matching, with a limit that the figure cannot have, or with
+/// GateBound::kUpper95 for a figure without a clustered interval or for another rule than `max`.
 void validate(const Gate& gate);
 
 enum class Verdict : std::uint8_t {
@@ -83,16 +83,17 @@ struct GateResult {
 struct GateReport {
   std::vector<GateResult> results;
   std::vector<std::string> warnings;  ///< see gate_warnings(); they never make a gate fail
-  /// Whether every result passed. False without results: a gate that checked nothing has not passed.
+  /// Whether every result passed. False without results: a gate that checked nothing has not
+  /// passed.
   [[nodiscard]] bool passed() const;
 };
 
-/// Applies every gate to each figure that it concerns, see figures_of(). A figure that does not exist
-/// fails, as does a baseline rule without a baseline. Point estimates are compared, as the figures are
-/// deterministic, unless the gate asks for GateBound::kUpper95, which needs kMinClusters clusters. A share of decoys whose
-/// interval is wider than its limit is insufficient.
-/// Throws std::invalid_argument for a gate that validate() rejects, or a baseline whose input hashes
-/// are missing or differ.
+/// Applies every gate to each figure that it concerns, see figures_of(). A figure that does not
+/// exist fails, as does a baseline rule without a baseline. Point estimates are compared, as the
+/// figures are deterministic, unless the gate asks for GateBound::kUpper95, which needs
+/// kMinClusters clusters. A share of decoys whose interval is wider than its limit is insufficient.
+/// Throws std::invalid_argument for a gate that validate() rejects, or a baseline whose input
+/// hashes are missing or differ.
 GateReport apply_gates(std::span<const Gate> gates,
                        const ResultFolder& results,
                        const ResultFolder* baseline = nullptr);

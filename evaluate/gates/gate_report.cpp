@@ -66,7 +66,8 @@ std::string verdict_line(const GateReport& report, Markup markup) {
 }
 
 /// A part of a JUnit class name. Viewers take its dots for levels and build paths of it, so every
-/// character but letters, digits and - becomes _. The testcase's name has patch and method as they are.
+/// character but letters, digits and - becomes _. The testcase's name has patch and method as they
+/// are.
 std::string classname_part(std::string_view text) {
   std::string result(text);
   const auto is_kept = [](char c) {
@@ -77,8 +78,8 @@ std::string classname_part(std::string_view text) {
   return result;
 }
 
-/// `text` escaped for XML, with bytes that are no UTF-8 replaced. Names of files may have such bytes, and a reader
-/// refuses the whole XML for one of them.
+/// `text` escaped for XML, with bytes that are no UTF-8 replaced. Names of files may have such
+/// bytes, and a reader refuses the whole XML for one of them.
 std::string xml_text(std::string_view text) {
   return escape_xml(Json::parse(dump(Json(text))).get<std::string>());
 }

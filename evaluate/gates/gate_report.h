@@ -21,8 +21,8 @@ inline constexpr std::size_t kMaxSummaryBytes = std::size_t{900} * 1024;
 /// line that says how many and where all of them are.
 std::string to_markdown(const GateReport& report, std::size_t max_bytes = kMaxSummaryBytes);
 
-/// Verdict and gate table in aligned columns, with all rows and the reason of a failure below its row. The warnings are
-/// left out, as a terminal shows them as messages.
+/// Verdict and gate table in aligned columns, with all rows and the reason of a failure below its
+/// row. The warnings are left out, as a terminal shows them as messages.
 std::string to_terminal(const GateReport& report);
 
 /// {"passed": ..., "gates": [{rule, patch, method, class, metric, value, limit, ...}],

@@ -53,7 +53,8 @@ std::optional<double> metric_value(const Summary& summary, std::string_view metr
 /// Throws std::invalid_argument for a name that is not in matching_metrics().
 std::optional<double> metric_value(const MatchCounts& counts, std::string_view metric);
 
-/// The figure of tracks by the name of its metric, and the number that it rests on: its denominator. Throw as above.
+/// The figure of tracks by the name of its metric, and the number that it rests on: its
+/// denominator. Throw as above.
 std::optional<double> metric_value(const TrackCounts& counts, std::string_view metric);
 std::size_t metric_count(const TrackCounts& counts, std::string_view metric);
 
@@ -61,8 +62,9 @@ std::size_t metric_count(const TrackCounts& counts, std::string_view metric);
 std::optional<Interval> metric_interval(const Summary& summary, std::string_view metric);
 std::optional<Interval> metric_interval(const MatchCounts& counts, std::string_view metric);
 
-/// Number of lines that a figure rests on: all lines for evaluated_share and evaluated_share_by_length,
-/// the ridges and hips for horizontal and vertical parts, else the evaluated lines.
+/// Number of lines that a figure rests on: all lines for evaluated_share and
+/// evaluated_share_by_length, the ridges and hips for horizontal and vertical parts, else the
+/// evaluated lines.
 std::size_t metric_count(const Summary& summary, std::string_view metric);
 
 /// Number of matches that a figure rests on: its denominator. Throws as metric_value() does.

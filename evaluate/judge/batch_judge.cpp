@@ -40,8 +40,8 @@ JudgedResult duplicate(const JudgedLine& line) {
   return result;
 }
 
-/// Labels of points by their keys, in a table with open addressing: a cloud has millions of points, and their keys are
-/// hashes already.
+/// Labels of points by their keys, in a table with open addressing: a cloud has millions of points,
+/// and their keys are hashes already.
 class PointLabels {
  public:
   PointLabels() : keys_(kFirstSlots, 0), labels_(kFirstSlots, 0) {}
@@ -85,7 +85,8 @@ class PointLabels {
   std::size_t n_used_ = 0;
 };
 
-/// The label that most of a plane's labelled points carry, if that is a good part of all its points; else 0.
+/// The label that most of a plane's labelled points carry, if that is a good part of all its
+/// points; else 0.
 std::uint32_t common_label(const std::vector<std::uint64_t>& inliers, const PointLabels& labels) {
   constexpr double kShared = 0.3;  // neighbouring facets share only the points at their edge
   std::unordered_map<std::uint32_t, std::size_t> votes;
@@ -106,7 +107,8 @@ std::uint32_t common_label(const std::vector<std::uint64_t>& inliers, const Poin
 
 std::array<double, 3> key_of(const Eigen::Vector3d& x) { return {x.x(), x.y(), x.z()}; }
 
-/// The numbers of the lines that planes judged, by their place: nothing may depend on the order of a file.
+/// The numbers of the lines that planes judged, by their place: nothing may depend on the order of
+/// a file.
 std::vector<std::size_t> judged_by_place(std::span<const JudgedLine> lines,
                                          const std::vector<JudgedResult>& results) {
   const auto place = [&](std::size_t i) {

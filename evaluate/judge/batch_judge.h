@@ -20,10 +20,12 @@ class BatchJudge {
   /// Judges the lines of a batch, by their numbers, in parallel. Every line belongs to one batch.
   void judge(const PointSearch& search, std::span<const std::size_t> batch);
 
-  /// The results, to be taken once, after the last batch. The i-th belongs to the i-th line; see judge_lines().
+  /// The results, to be taken once, after the last batch. The i-th belongs to the i-th line; see
+  /// judge_lines().
   std::vector<JudgedResult> take_results();
 
-  /// The same results for lines that are a part of all, to be taken instead. Planes have no ids yet; see join_parts().
+  /// The same results for lines that are a part of all, to be taken instead. Planes have no ids
+  /// yet; see join_parts().
   std::vector<JudgedResult> take_part();
 
  private:
@@ -33,9 +35,9 @@ class BatchJudge {
   std::vector<JudgedResult> results_;
 };
 
-/// Makes the results of lines that were judged part by part, each part by a BatchJudge of its own, those of judge_lines():
-/// later lines of an id become `duplicate_id`, planes get their ids. `results` holds one for each line.
-/// Throws std::invalid_argument if it does not.
+/// Makes the results of lines that were judged part by part, each part by a BatchJudge of its own,
+/// those of judge_lines(): later lines of an id become `duplicate_id`, planes get their ids.
+/// `results` holds one for each line. Throws std::invalid_argument if it does not.
 void join_parts(std::span<const JudgedLine> lines, std::vector<JudgedResult>& results);
 
 }  // namespace ridgeline::evaluate

@@ -37,7 +37,8 @@ bool fits_locally(const PlaneFit& wide, const FoundPlane& local, const JudgeOpti
          rms <= sigma_m * (1.0 + 3.0 / std::sqrt(2.0 * n)) + slack_m;
 }
 
-/// The found plane extended over the zone, or as it was found if the wider plane does not fit at the line.
+/// The found plane extended over the zone, or as it was found if the wider plane does not fit at
+/// the line.
 CandidatePlane extend(const FoundPlane& found,
                       const ZoneCells& cells,
                       const JudgeOptions& options) {
@@ -55,8 +56,8 @@ CandidatePlane extend(const FoundPlane& found,
   return plane;
 }
 
-/// Whether the plane is a slice of a canopy. A solid surface hides what is below it; a canopy does not, so
-/// that there are many returns below the slice.
+/// Whether the plane is a slice of a canopy. A solid surface hides what is below it; a canopy does
+/// not, so that there are many returns below the slice.
 bool lets_laser_through(const FoundPlane& plane,
                         std::span<const ZonePoint> zone,
                         const JudgeOptions& options) {
@@ -90,8 +91,8 @@ bool same_plane(const CandidatePlane& a, const CandidatePlane& b) {
   return 2 * shared >= std::min(a.inliers.size(), b.inliers.size());
 }
 
-/// Whether `small` is no surface of its own, but a few points left over beside a much larger plane and
-/// nearly in it.
+/// Whether `small` is no surface of its own, but a few points left over beside a much larger plane
+/// and nearly in it.
 bool shadows(const CandidatePlane& large,
              const CandidatePlane& small,
              const JudgeOptions& options) {
@@ -159,7 +160,8 @@ void unite(CandidatePlane plane, std::vector<CandidatePlane>& candidates) {
   }
 }
 
-/// Whether the plane is too narrow for its tilt to be known. search_ledge() takes such a strip as level across.
+/// Whether the plane is too narrow for its tilt to be known. search_ledge() takes such a strip as
+/// level across.
 bool is_strip(const FoundPlane& plane) {
   constexpr double kMinWidth_m = 0.6;
   // a uniform distribution of this width has the variance width^2 / 12

@@ -38,9 +38,9 @@ struct ZonePoint {
 };
 
 /// All points with |t| <= half_width and -end <= s <= length + end, whatever their height: a line
-/// that is metres off in height meets the same points. They are in the order of x, then y, then z, so
-/// that the same points give the same zone however they are spread over files and in whatever order they
-/// come. Points at the same place, which overlapping tiles have, are one point.
+/// that is metres off in height meets the same points. They are in the order of x, then y, then z,
+/// so that the same points give the same zone however they are spread over files and in whatever
+/// order they come. Points at the same place, which overlapping tiles have, are one point.
 std::vector<ZonePoint> points_beside(const PointSearch& search,
                                      const Footprint& footprint,
                                      double half_width_m,

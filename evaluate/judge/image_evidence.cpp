@@ -50,8 +50,8 @@ struct Sample {
   double s, z_m;
 };
 
-/// The heights at which rays through `n_samples` points of the base segment first meet the cloud from
-/// above. Each is the height of the highest point within `radius_m` of the ray.
+/// The heights at which rays through `n_samples` points of the base segment first meet the cloud
+/// from above. Each is the height of the highest point within `radius_m` of the ray.
 std::vector<Sample> first_hits(const PointSearch& search,
                                const ImageEvidence& images,
                                int n_samples,
@@ -136,7 +136,8 @@ std::vector<Sample> consensus(const std::vector<Sample>& samples) {
   return best;
 }
 
-/// Mean of the squared distances of both ends of `x` from the straight line of `sighting`, pixels squared.
+/// Mean of the squared distances of both ends of `x` from the straight line of `sighting`, pixels
+/// squared.
 double across_px2(const ImageSighting& sighting, const Segment3& x) {
   const Eigen::Vector2d along = (sighting.px.end - sighting.px.start).normalized();
   double sum = 0.0;

@@ -92,7 +92,8 @@ void summarise(LineEvaluation& e, const JudgedLine& line) {
   if (sigma > 0.0) e.z = signed_mean_m / sigma;
 }
 
-/// Distance of the midpoint from the intersection line of a ridge's planes, and the angle of the line to it.
+/// Distance of the midpoint from the intersection line of a ridge's planes, and the angle of the
+/// line to it.
 void compare_with_intersection(LineEvaluation& e, const Segment3& segment) {
   const Eigen::Vector3d n1 = e.planes[0].plane.normal();
   const Eigen::Vector3d n2 = e.planes[1].plane.normal();
@@ -166,9 +167,10 @@ Surroundings surroundings(const PointSearch& search,
   return around;
 }
 
-/// The image segment on the LIDAR surface is the footprint, so that all methods meet the same points. The line itself is
-/// the footprint if there is no image, if the rays meet no surface, or if the line is known to lie on no surface there, which a
-/// ray may pass by between two points of the cloud.
+/// The image segment on the LIDAR surface is the footprint, so that all methods meet the same
+/// points. The line itself is the footprint if there is no image, if the rays meet no surface, or
+/// if the line is known to lie on no surface there, which a ray may pass by between two points of
+/// the cloud.
 Surroundings surroundings(const PointSearch& search,
                           const JudgedLine& line,
                           const JudgeOptions& options) {

@@ -15,9 +15,11 @@ namespace ridgeline::evaluate {
 /// A judged line and the points its planes were fitted to.
 struct JudgedResult {
   LineEvaluation evaluation;
-  /// For each plane the indices of its inliers in the cloud, sorted; empty unless JudgeOptions::keep_points.
+  /// For each plane the indices of its inliers in the cloud, sorted; empty unless
+  /// JudgeOptions::keep_points.
   std::vector<std::vector<std::uint32_t>> inliers;
-  /// For each plane a hash of each inlier's position, which identifies the point in any part of a cloud.
+  /// For each plane a hash of each inlier's position, which identifies the point in any part of a
+  /// cloud.
   std::vector<std::vector<std::uint64_t>> inlier_keys;
   /// For each plane the positions of its inliers, local; empty unless JudgeOptions::keep_points.
   std::vector<std::vector<Eigen::Vector3d>> inlier_points;

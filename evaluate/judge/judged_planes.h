@@ -19,7 +19,8 @@ struct JudgedPlane {
   int n_inliers = 0;                            ///< of that fit
   double rms_m = 0.0;
   int n_lines = 0;
-  /// Hull in plan of the inliers of all lines, on the plane, counter-clockwise from above; not closed.
+  /// Hull in plan of the inliers of all lines, on the plane, counter-clockwise from above; not
+  /// closed.
   std::vector<Eigen::Vector3d> outline;
 };
 
@@ -33,7 +34,8 @@ struct PlanePoint {
   double distance_m = 0.0;     ///< from that plane, signed
 };
 
-/// The points that the results keep (JudgeOptions::keep_points), each once, by plane, then x, y and z.
+/// The points that the results keep (JudgeOptions::keep_points), each once, by plane, then x, y and
+/// z.
 std::vector<PlanePoint> plane_points(std::span<const JudgedResult> results);
 
 }  // namespace ridgeline::evaluate

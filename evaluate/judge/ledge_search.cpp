@@ -46,8 +46,9 @@ std::vector<ZonePoint> on_profile(const std::vector<ZonePoint>& points,
   return near;
 }
 
-/// The points near the profile through two points that has most points near it. At most some thousand
-/// pairs are tried, in a fixed order, so that the result depends on nothing but the points.
+/// The points near the profile through two points that has most points near it. At most some
+/// thousand pairs are tried, in a fixed order, so that the result depends on nothing but the
+/// points.
 std::vector<ZonePoint> best_profile(const std::vector<ZonePoint>& points, double distance_m) {
   constexpr std::size_t kMaxPairs = 2000;
   const std::size_t n = points.size();
@@ -68,8 +69,8 @@ std::vector<ZonePoint> best_profile(const std::vector<ZonePoint>& points, double
   return best;
 }
 
-/// Extent across the line of all points of the corridor in the plane; a wide surface is no ledge. The ends
-/// of the line are left out, since another parapet may come in from the side there.
+/// Extent across the line of all points of the corridor in the plane; a wide surface is no ledge.
+/// The ends of the line are left out, since another parapet may come in from the side there.
 double width_in(std::span<const ZonePoint> zone,
                 const PlaneFit& fit,
                 const JudgeOptions& options,

@@ -25,11 +25,12 @@ namespace ridgeline::evaluate {
 ///   const auto judged = evaluation.compute();
 ///   const pcl::ModelCoefficients roof = evaluation.getModelCoefficients(0).front();
 ///
-/// Instantiated for PointXYZ, PointXYZI, PointXYZL, PointNormal and PointXYZINormal. The sample consensus is
-/// PCL's; sums and final fits run in double. docs/pcl.md has examples and measurements.
+/// Instantiated for PointXYZ, PointXYZI, PointXYZL, PointNormal and PointXYZINormal. The sample
+/// consensus is PCL's; sums and final fits run in double. docs/pcl.md has examples and
+/// measurements.
 ///
-/// Normals take part only after setInputNormals(), as in pcl::SACSegmentationFromNormals. This holds for a
-/// PointNormal cloud too (PointNT is then PointT), since its normals are often empty.
+/// Normals take part only after setInputNormals(), as in pcl::SACSegmentationFromNormals. This
+/// holds for a PointNormal cloud too (PointNT is then PointT), since its normals are often empty.
 // NOLINTBEGIN(readability-identifier-naming): PCL's spelling, as PCL's users know it
 template <typename PointT,
           typename PointNT =
@@ -41,28 +42,30 @@ class LineToPlaneEvaluation : public pcl::PCLBase<PointT> {
   using PointCloudNConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
   using SearchPtr = typename pcl::search::Search<PointT>::Ptr;
 
-  /// Points in local coordinates, metres; non-finite points are left out. setIndices() restricts the points.
+  /// Points in local coordinates, metres; non-finite points are left out. setIndices() restricts
+  /// the points.
   void setInputCloud(const PointCloudConstPtr& cloud) override;
   void setInputLines(std::vector<JudgedLine> lines) {
     lines_ = std::move(lines);
     results_.clear();
   }
 
-  /// How the points near a line are found: pcl::search::KdTree, Octree, BruteForce or any other exact search
-  /// whose const queries may run in several threads. compute() gives it the cloud and the indices, and it
-  /// builds its structure then. Without one, or with a null pointer, a grid of our own serves (PointGrid).
-  /// The results are the same bit by bit.
+  /// How the points near a line are found: pcl::search::KdTree, Octree, BruteForce or any other
+  /// exact search whose const queries may run in several threads. compute() gives it the cloud and
+  /// the indices, and it builds its structure then. Without one, or with a null pointer, a grid of
+  /// our own serves (PointGrid). The results are the same bit by bit.
   void setSearchMethod(const SearchPtr& search) { search_ = search; }
   /// The search method; null unless it was set.
   [[nodiscard]] const SearchPtr& getSearchMethod() const { return search_; }
 
-  /// Normals for the sample consensus, one a point of the cloud, of any length and either sign. A point whose
-  /// normal is zero or not finite, or whose curvature is not finite, counts by its distance alone; a
-  /// curvature below 0 counts as 0, one above 1 as 1. A null pointer means no normals.
+  /// Normals for the sample consensus, one a point of the cloud, of any length and either sign. A
+  /// point whose normal is zero or not finite, or whose curvature is not finite, counts by its
+  /// distance alone; a curvature below 0 counts as 0, one above 1 as 1. A null pointer means no
+  /// normals.
   void setInputNormals(const PointCloudNConstPtr& normals) { normals_ = normals; }
   [[nodiscard]] const PointCloudNConstPtr& getInputNormals() const { return normals_; }
-  /// How much the angle between a point's normal and the plane's counts (radians) against the distance
-  /// (metres), from 0 to 1; 0.1 by default, as in PCL. See PointNormals.
+  /// How much the angle between a point's normal and the plane's counts (radians) against the
+  /// distance (metres), from 0 to 1; 0.1 by default, as in PCL. See PointNormals.
   void setNormalDistanceWeight(double weight) { normal_weight_ = weight; }
   [[nodiscard]] double getNormalDistanceWeight() const { return normal_weight_; }
 
@@ -79,8 +82,8 @@ class LineToPlaneEvaluation : public pcl::PCLBase<PointT> {
   [[nodiscard]] const JudgeOptions& getOptions() const { return options_; }
 
   /// One judgement a line, in the order of the lines.
-  /// Throws std::invalid_argument without a cloud, for an option out of its range, for normals of another
-  /// number than the points, and for a search method that does not find the cloud's points.
+  /// Throws std::invalid_argument without a cloud, for an option out of its range, for normals of
+  /// another number than the points, and for a search method that does not find the cloud's points.
   std::vector<LineEvaluation> compute();
 
   /// The planes of a line after compute(): values (nx, ny, nz, d), local frame, normal upwards.

@@ -18,7 +18,8 @@ struct JudgeOptions {
 
   /// Range noise of the cloud; thresholds that depend on it are multiples of it.
   double lidar_sigma_m = 0.034;
-  /// Half width of the planimetric corridor. It spans all heights, so that a line metres off in height is judged.
+  /// Half width of the planimetric corridor. It spans all heights, so that a line metres off in
+  /// height is judged.
   double corridor_half_width_m = 1.5;
   /// The corridor is extended by this at both ends of the line.
   double corridor_end_m = 0.5;
@@ -27,8 +28,8 @@ struct JudgeOptions {
   /// Points within this distance of a plane support it; 3 sigma of the cloud.
   double inlier_distance_m = 0.10;
   int min_points = 10;  ///< of a plane on one side
-  /// A plane's final fit takes connected inliers up to this far from the line, as more points give a
-  /// smaller sigma.
+  /// A plane's final fit takes connected inliers up to this far from the line, as more points give
+  /// a smaller sigma.
   double fit_half_width_m = 4.0;
   double max_slope_deg = 65.0;  ///< steeper planes are walls, or wall and ground together
   /// A ridge needs normals that differ by at least this.
@@ -38,8 +39,8 @@ struct JudgeOptions {
   /// Largest angle in plan between a line and the planes' intersection line.
   double ridge_direction_deg = 15.0;
   double min_coverage = 0.5;  ///< of the line by the plane's inliers beside it
-  /// Distance of a right line from its surface, whatever its tool states: the covariance in a judged file must not
-  /// choose the surface.
+  /// Distance of a right line from its surface, whatever its tool states: the covariance in a
+  /// judged file must not choose the surface.
   double place_sigma_m = 0.3;
   double sigma_edge_px = 1.0;    ///< of an image segment with its orientation
   double min_probability = 0.9;  ///< of the surface; below, the line is ambiguous

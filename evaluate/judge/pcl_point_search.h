@@ -18,18 +18,18 @@
 
 namespace ridgeline::evaluate {
 
-/// Finds the points near a line by any search of PCL: pcl::search::KdTree, Octree, BruteForce. PCL searches balls, but
-/// the judge asks for all heights over a corridor, so BallCover stacks balls over the heights of the cloud.
-/// The index of a point is its position in `indices`.
+/// Finds the points near a line by any search of PCL: pcl::search::KdTree, Octree, BruteForce. PCL
+/// searches balls, but the judge asks for all heights over a corridor, so BallCover stacks balls
+/// over the heights of the cloud. The index of a point is its position in `indices`.
 template <typename PointT>
 class PclPointSearch final : public PointSearch {
  public:
   using Search = pcl::search::Search<PointT>;
   using CloudConstPtr = typename pcl::PointCloud<PointT>::ConstPtr;
 
-  /// Gives the cloud to `search`, which builds its structure. Points that are not finite are left out.
-  /// Throws std::invalid_argument for a search that does not find the cloud's own points, such as
-  /// pcl::search::OrganizedNeighbor with a cloud that is not organised.
+  /// Gives the cloud to `search`, which builds its structure. Points that are not finite are left
+  /// out. Throws std::invalid_argument for a search that does not find the cloud's own points, such
+  /// as pcl::search::OrganizedNeighbor with a cloud that is not organised.
   PclPointSearch(typename Search::Ptr search, CloudConstPtr cloud, pcl::IndicesConstPtr indices);
 
  protected:
@@ -55,7 +55,8 @@ PclPointSearch<PointT>::PclPointSearch(typename Search::Ptr search,
                                        pcl::IndicesConstPtr indices)
     : search_(std::move(search)), cloud_(std::move(cloud)), place_in_indices_(cloud_->size()) {
   std::optional<pcl::index_t> last_finite;
-  // the loop runs backwards, so that a point that is listed twice gets its first place, as in PointGrid
+  // the loop runs backwards, so that a point that is listed twice gets its first place, as in
+  // PointGrid
   for (std::size_t place = indices->size(); place-- > 0;) {
     const pcl::index_t i = (*indices)[place];
     check(i >= 0 && static_cast<std::size_t>(i) < cloud_->size(), "setIndices: index = ", i,

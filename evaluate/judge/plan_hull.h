@@ -10,8 +10,8 @@
 
 namespace ridgeline::evaluate {
 
-/// The corners of the convex hull, counter-clockwise from the least x. For points on one line these are its
-/// two ends, for one point the point; for no points there are none.
+/// The corners of the convex hull, counter-clockwise from the least x. For points on one line these
+/// are its two ends, for one point the point; for no points there are none.
 std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points);
 
 /// Convex hull of points in the footprint's axes (s, t).

@@ -86,7 +86,8 @@ std::optional<PlaneMeeting> meeting_of(const CandidatePlane& a,
                                        const CandidatePlane& b,
                                        const Footprint& footprint,
                                        const JudgeOptions& options) {
-  // least difference of the planes' shares of points on one side; it is not 1, as a main roof goes on behind a dormer
+  // least difference of the planes' shares of points on one side; it is not 1, as a main roof goes
+  // on behind a dormer
   constexpr double kOneSided = 0.55;
   const auto line = intersect_in_plan(a.fit.plane, b.fit.plane);
   if (!line) return std::nullopt;

@@ -17,8 +17,8 @@ struct PlaneMeeting {
   double coverage;       ///< share of the line along which both planes come up to the intersection
 };
 
-/// How two planes meet beside a line. Nothing if they are parallel in plan, or if they do not lie one on
-/// each side of their intersection.
+/// How two planes meet beside a line. Nothing if they are parallel in plan, or if they do not lie
+/// one on each side of their intersection.
 std::optional<PlaneMeeting> meeting_of(const CandidatePlane& a,
                                        const CandidatePlane& b,
                                        const Footprint& footprint,

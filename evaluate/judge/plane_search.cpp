@@ -26,7 +26,8 @@ using Model = pcl::SampleConsensusModel<pcl::PointXYZ>;
 using PlaneModel = pcl::SampleConsensusModelPlane<pcl::PointXYZ>;
 using NormalPlaneModel = pcl::SampleConsensusModelNormalPlane<pcl::PointXYZ, pcl::Normal>;
 
-/// The next number of splitmix64, whose sequence is the same everywhere, unlike the standard distributions.
+/// The next number of splitmix64, whose sequence is the same everywhere, unlike the standard
+/// distributions.
 std::uint64_t next_random(std::uint64_t& state) {
   state += 0x9e3779b97f4a7c15ULL;
   std::uint64_t z = state;
@@ -35,8 +36,8 @@ std::uint64_t next_random(std::uint64_t& state) {
   return z ^ (z >> 31U);
 }
 
-/// Puts the points into an order that has nothing to do with their places, but depends on nothing else: the samples of
-/// neighbouring points would be alike otherwise.
+/// Puts the points into an order that has nothing to do with their places, but depends on nothing
+/// else: the samples of neighbouring points would be alike otherwise.
 void scatter(std::vector<ZonePoint>& points) {
   std::uint64_t key = 1;
   for (std::size_t i = points.size(); i > 1; --i) {
@@ -44,15 +45,17 @@ void scatter(std::vector<ZonePoint>& points) {
   }
 }
 
-/// Sorts the points for PROSAC, which tries the first ones first: those nearest to the line are the likeliest to matter.
+/// Sorts the points for PROSAC, which tries the first ones first: those nearest to the line are the
+/// likeliest to matter.
 void sort_by_distance(std::vector<ZonePoint>& points) {
   std::sort(points.begin(), points.end(), [](const ZonePoint& a, const ZonePoint& b) {
     return std::pair(std::abs(a.t), a.rank) < std::pair(std::abs(b.t), b.rank);
   });
 }
 
-/// The points as floats relative to an integer centre, in steps of 2^-14 m (0.06 mm). They are small enough
-/// for float to be exact, and have the same bits wherever the scene lies in its map frame.
+/// The points as floats relative to an integer centre, in steps of 2^-14 m (0.06 mm). They are
+/// small enough for float to be exact, and have the same bits wherever the scene lies in its map
+/// frame.
 Cloud::Ptr recentred_cloud(const std::vector<ZonePoint>& points, const Eigen::Vector3d& centre) {
   constexpr double kSteps = 16384.0;
   auto cloud = std::make_shared<Cloud>();

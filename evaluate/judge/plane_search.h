@@ -21,12 +21,12 @@ struct FoundPlane {
 /// best of the rest, until fewer than `min_points` agree. Each is refined by total least squares in
 /// double. Walls (steeper than max_slope_deg) use up their points but are not returned.
 ///
-/// Nothing but the points decides: PCL's generator has a fixed seed, draws until it is all but certain that it has met
-/// the best plane, and meets the points in an order that depends on their number alone. The plane found is refined until its
-/// points stay the same.
+/// Nothing but the points decides: PCL's generator has a fixed seed, draws until it is all but
+/// certain that it has met the best plane, and meets the points in an order that depends on their
+/// number alone. The plane found is refined until its points stay the same.
 ///
-/// With normals the consensus takes these into account too, see PointNormals. The refinement and the
-/// inliers go by distance alone.
+/// With normals the consensus takes these into account too, see PointNormals. The refinement and
+/// the inliers go by distance alone.
 std::vector<FoundPlane> search_planes(std::span<const ZonePoint> side,
                                       const JudgeOptions& options,
                                       const PointNormals& normals = {});

@@ -44,8 +44,9 @@ void describe_support(CandidatePlane& plane,
                       double reach_m,
                       const JudgeOptions& options);
 
-/// Why planes judge no line: one is known less well at its middle, by PlaneFit::sigma_at(), than from three laser points
-/// there, as a few points off the line may happen to lie in a plane. Nothing if all are known.
+/// Why planes judge no line: one is known less well at its middle, by PlaneFit::sigma_at(), than
+/// from three laser points there, as a few points off the line may happen to lie in a plane.
+/// Nothing if all are known.
 std::optional<std::string> reason_too_little_known(std::span<const CandidatePlane> candidates,
                                                    std::span<const std::size_t> chosen,
                                                    const Footprint& footprint,

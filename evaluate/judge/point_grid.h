@@ -19,9 +19,10 @@ namespace ridgeline::evaluate {
 /// Within a cell points keep their input order, so results do not depend on threads.
 class PointGrid final : public PointSearch {
  public:
-  /// A grid of `count` points, the i-th given by `x_in_local(i)` (Eigen::Vector3d); non-finite points are
-  /// left out. Cells are squares of `cell_m`, enlarged if the extent would need more than about four
-  /// cells a point. Throws std::invalid_argument for 2^32 points or more, or a cell size <= 0.
+  /// A grid of `count` points, the i-th given by `x_in_local(i)` (Eigen::Vector3d); non-finite
+  /// points are left out. Cells are squares of `cell_m`, enlarged if the extent would need more
+  /// than about four cells a point. Throws std::invalid_argument for 2^32 points or more, or a cell
+  /// size <= 0.
   template <typename Accessor>
   static PointGrid build(std::size_t count, const Accessor& x_in_local, double cell_m = 1.0);
 

@@ -5,9 +5,9 @@
 
 namespace ridgeline::evaluate {
 
-/// Normals of a cloud's points for the sample consensus (pcl::SampleConsensusModelNormalPlane): a point
-/// counts by weight (1 - curvature) times its normal's angle to the plane in radians, plus the rest times its
-/// distance in metres. A point of curvature 1 counts by its distance alone.
+/// Normals of a cloud's points for the sample consensus (pcl::SampleConsensusModelNormalPlane): a
+/// point counts by weight (1 - curvature) times its normal's angle to the plane in radians, plus
+/// the rest times its distance in metres. A point of curvature 1 counts by its distance alone.
 struct PointNormals {
   struct Normal {
     float x, y, z;    ///< unit, either sign

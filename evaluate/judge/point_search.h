@@ -14,9 +14,9 @@
 
 namespace ridgeline::evaluate {
 
-/// Where the judge finds the points near a line: PointGrid or PclPointSearch. The judge applies its exact
-/// tests itself and sorts what it keeps by position, so that its results do not depend on the search.
-/// Queries are const and may run in several threads at once.
+/// Where the judge finds the points near a line: PointGrid or PclPointSearch. The judge applies its
+/// exact tests itself and sorts what it keeps by position, so that its results do not depend on the
+/// search. Queries are const and may run in several threads at once.
 class PointSearch {
  public:
   struct Point {
@@ -26,8 +26,8 @@ class PointSearch {
 
   virtual ~PointSearch() = default;
 
-  /// Calls `visit(point)` once for every point within `radius_m` of the segment in plan, whatever its
-  /// height, and for some a little farther: the caller applies its own exact test.
+  /// Calls `visit(point)` once for every point within `radius_m` of the segment in plan, whatever
+  /// its height, and for some a little farther: the caller applies its own exact test.
   template <typename Visitor>
   void visit_near(const Segment2& segment, double radius_m, Visitor&& visit) const {
     visit_runs_near(segment, radius_m, [&visit](Run run) {
@@ -35,8 +35,8 @@ class PointSearch {
     });
   }
 
-  /// Number of points within `radius_m` of `x` in plan, bounds included; points at the same place are
-  /// one.
+  /// Number of points within `radius_m` of `x` in plan, bounds included; points at the same place
+  /// are one.
   [[nodiscard]] std::size_t count_within(const Eigen::Vector2d& x, double radius_m) const;
 
   void set_normals(PointNormals normals) { normals_ = std::move(normals); }

@@ -29,7 +29,8 @@ double place_chi_square(const SurfaceHypothesis& h,
   return sum / static_cast<double>(h.planes.size());
 }
 
-/// Densities of the distance of a line from its surface, in units of that of a right line that lies on a plane.
+/// Densities of the distance of a line from its surface, in units of that of a right line that lies
+/// on a plane.
 struct PlaceDensities {
   double wrong;   ///< of a wrong line, which may be anywhere
   double object;  ///< of the edge of an object, which lies within kMaxObjectDistance_m of a plane

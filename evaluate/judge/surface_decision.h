@@ -11,7 +11,8 @@
 
 namespace ridgeline::evaluate {
 
-/// Log-likelihoods of a hypothesis by each kind of evidence, up to a constant that all hypotheses of a line share.
+/// Log-likelihoods of a hypothesis by each kind of evidence, up to a constant that all hypotheses
+/// of a line share.
 struct SurfaceEvidence {
   double plan = 0.0, images = 0.0, points = 0.0, place = 0.0;
   double wrong = 0.0;  ///< probability by its place that an edge of this surface does not lie on it
@@ -20,13 +21,14 @@ struct SurfaceEvidence {
 /// The evidence for each hypothesis.
 ///
 ///   - plan: a linear function of PlanTerm.
-///   - images, where a third sighting lies off the base of the first two: each plane carries the base sighting into every
-///     other image, an object carries the line that the first two sightings triangulate to into the others; what counts
-///     are the distances from the sightings over sigma_edge_px.
+///   - images, where a third sighting lies off the base of the first two: each plane carries the
+///     base sighting into every other image, an object carries the line that the first two
+///     sightings triangulate to into the others; what counts are the distances from the sightings
+///     over sigma_edge_px.
 ///   - points: those along an object that no plane explains.
-///   - place, where the images do not count: the distance of the line over place_sigma_m and the plane's sigma, against
-///     a wrong line that may be anywhere. Two sightings only triangulate to the line, so they are no evidence beside it.
-///     It says nothing of an object.
+///   - place, where the images do not count: the distance of the line over place_sigma_m and the
+///     plane's sigma, against a wrong line that may be anywhere. Two sightings only triangulate to
+///     the line, so they are no evidence beside it. It says nothing of an object.
 std::vector<SurfaceEvidence> surface_evidence(std::span<const SurfaceHypothesis> hypotheses,
                                               std::span<const CandidatePlane> candidates,
                                               const Segment3& segment,
@@ -46,9 +48,10 @@ struct SurfaceDecision {
   bool is_far = false;  ///< the line lies on none of the surfaces that it may be an edge of
 };
 
-/// The most probable hypothesis. Those that lie at one height along the line are one surface, whose probabilities add up,
-/// as any of them gives the same distance. A surface below min_probability makes the line `ambiguous`, unless it lies on none of
-/// them with this probability: it is wrong whichever is its own, and the likeliest one judges it.
+/// The most probable hypothesis. Those that lie at one height along the line are one surface, whose
+/// probabilities add up, as any of them gives the same distance. A surface below min_probability
+/// makes the line `ambiguous`, unless it lies on none of them with this probability: it is wrong
+/// whichever is its own, and the likeliest one judges it.
 SurfaceDecision decide_surface(std::span<const ZonePoint> zone,
                                std::span<const CandidatePlane> candidates,
                                const Footprint& footprint,

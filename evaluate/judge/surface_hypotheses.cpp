@@ -14,7 +14,8 @@ constexpr double kHigher_m =
     0.3;  // a surface that is less higher is the same one, or hides nothing
 constexpr double kStorey_m = 2.0;
 
-/// How far a plane's points reach across a line, in stretches along it: -HUGE_VAL, HUGE_VAL where there are none.
+/// How far a plane's points reach across a line, in stretches along it: -HUGE_VAL, HUGE_VAL where
+/// there are none.
 struct Reach {
   std::vector<double> lowest_t, highest_t;
 };
@@ -57,7 +58,8 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
-/// By how much the plane goes on beyond the line, on the side with fewer of its points; negative if it ends before it.
+/// By how much the plane goes on beyond the line, on the side with fewer of its points; negative if
+/// it ends before it.
 double beyond_line_m(const CandidatePlane& plane, const Reach& reach) {
   std::ptrdiff_t more_left = 0;
   for (const ZonePoint& p : plane.beside) more_left += p.t > 0.0 ? 1 : -1;
@@ -138,7 +140,8 @@ PointsBeside points_beside_line(std::span<const ZonePoint> zone,
   return beside;
 }
 
-/// Share of the points within a distance of the line that no plane explains and that stand on the surface.
+/// Share of the points within a distance of the line that no plane explains and that stand on the
+/// surface.
 double standing_share(const PointsBeside& beside,
                       const Plane3& plane,
                       double within_m,
@@ -165,8 +168,8 @@ double accompanied_share(const PointsBeside& beside,
   return coverage_along(near, length_m, reach_m);
 }
 
-/// Whether a plane has points next to the line on its inside, at least half as many as on its outside. A roof goes on beyond a
-/// dormer, so that points farther away say nothing.
+/// Whether a plane has points next to the line on its inside, at least half as many as on its
+/// outside. A roof goes on beyond a dormer, so that points farther away say nothing.
 bool lies_inside(const CandidatePlane& plane,
                  const Footprint& footprint,
                  const JudgeOptions& options,
@@ -316,7 +319,8 @@ class Hypotheses {
     return h;
   }
 
-  /// Whether the point lies under a plane or its border, as the returns of a wall do. These stand on no surface.
+  /// Whether the point lies under a plane or its border, as the returns of a wall do. These stand
+  /// on no surface.
   [[nodiscard]] bool is_on_wall(const ZonePoint& p) const {
     constexpr double kUnder_m = 0.2;
     constexpr double kBeyondBorder_m = 0.3;

@@ -17,9 +17,11 @@ namespace ridgeline::evaluate {
 /// Knots for the place of a plane's border, see PlanTerm.
 inline constexpr std::array kBorders_m{-0.8, -0.3, 0.0, 0.3, 0.6, 1.2};
 
-/// What can speak in plan for or against a line being an edge of a surface. Terms of another kind of surface are 0.
+/// What can speak in plan for or against a line being an edge of a surface. Terms of another kind
+/// of surface are 0.
 enum PlanTerm : std::size_t {
-  // of a plane that no higher one accompanies: its border lies before the line (-), at it, or beyond it (+), as
+  // of a plane that no higher one accompanies: its border lies before the line (-), at it, or
+  // beyond it (+), as
   // shares of the nearest two of kBorders_m
   kUpperBorder,
   // the same of a plane with a higher one beside it
@@ -27,13 +29,15 @@ enum PlanTerm : std::size_t {
   kIsGround =
       kLowerBorder + kBorders_m.size(),  ///< 1 for a lower plane that is the lowest, a storey below
   kLowStep,         ///< how little higher the next higher plane is: from 1 at 0 m to 0 at 2 m
-  kUnderLowBorder,  ///< kLowStep times how near that plane's border is: from 1 at the line to 0 at 0.3 m
+  kUnderLowBorder,  ///< kLowStep times how near that plane's border is: from 1 at the line to 0 at
+                    ///< 0.3 m
   kCovered,         ///< share of the line over which a higher plane lies
   kMissing,         ///< share of the line that the plane does not accompany
   kFewPoints,       ///< 1 / sqrt of the plane's points
   kLowerFewPoints,  ///< the same of a plane with a higher one beside it
   kIsLedge,         ///< 1 for the narrow top of a wall
-  // points that no plane explains, and that stand on the surface: shares of the points beside the line
+  // points that no plane explains, and that stand on the surface: shares of the points beside the
+  // line
   kStandBeside,  ///< within 0.8 m, on an upper surface or on two that meet
   kStandIn,      ///< the same within 0.3 m
   kStandLower,   ///< within 0.8 m, on a surface with a higher one beside it
@@ -45,7 +49,8 @@ enum PlanTerm : std::size_t {
   kMeetingFlat,       ///< how little they differ in direction: 10 degrees over their angle
   // of an object that the cloud has no plane for
   kOneSideEmpty,  ///< 1 if the cloud has points on one side of the line only
-  kShort,  ///< 1 m over the length of the line: the smaller a surface, the sooner its plane is missed
+  kShort,  ///< 1 m over the length of the line: the smaller a surface, the sooner its plane is
+           ///< missed
   kNumPlanTerms
 };
 
@@ -62,9 +67,9 @@ struct SurfaceHypothesis {
   bool has_points = false;   ///< within 1 m in space, on no plane of the other hypotheses
 };
 
-/// The surfaces that a line may be an edge of: each candidate that accompanies enough of it, each pair that meets
-/// along it, and, first, an object without a plane. Of the border of a surface on a known side (`inside`, see
-/// JudgedLine) only planes that lie on that side count, one by one.
+/// The surfaces that a line may be an edge of: each candidate that accompanies enough of it, each
+/// pair that meets along it, and, first, an object without a plane. Of the border of a surface on a
+/// known side (`inside`, see JudgedLine) only planes that lie on that side count, one by one.
 std::vector<SurfaceHypothesis> surface_hypotheses(std::span<const ZonePoint> zone,
                                                   std::span<const CandidatePlane> candidates,
                                                   const Footprint& footprint,

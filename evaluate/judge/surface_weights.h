@@ -46,7 +46,8 @@ inline constexpr double kAccompaniedWeight = 3.80;
 
 /// Share of wrong lines over the heights that they may have, against that of right ones.
 inline constexpr double kWrongDensityPerMetre = 0.0020;
-/// How far a surface that the cloud has no plane for lies from the next one that it has a plane for: a hedge, a dormer's roof.
+/// How far a surface that the cloud has no plane for lies from the next one that it has a plane
+/// for: a hedge, a dormer's roof.
 inline constexpr double kMaxObjectDistance_m = 1.8;
 
 }  // namespace ridgeline::evaluate

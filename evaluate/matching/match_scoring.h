@@ -50,18 +50,21 @@ struct MatchingScore {
 };
 
 /// Judges matches by true edges. A segment lies on an edge if the two run side by side over
-/// min_overlap of the shorter one, within max_distance_px and max_angle_deg. It certainly lies there
-/// within half of that distance, since shadows and gutters run along edges. It may lie on several edges
-/// that are close together, or that continue each other behind something in front of them.
-///   unjudged  Neither segment certainly lies on an edge (texture, shadows), or one lies on an edge and
-///             the other one, which lies on none, continues that edge beyond its visible part by at
-///             most its length.
+/// min_overlap of the shorter one, within max_distance_px and max_angle_deg. It certainly lies
+/// there within half of that distance, since shadows and gutters run along edges. It may lie on
+/// several edges that are close together, or that continue each other behind something in front of
+/// them.
+///   unjudged  Neither segment certainly lies on an edge (texture, shadows), or one lies on an edge
+///             and the other one, which lies on none, continues that edge beyond its visible part
+///             by at most its length.
 ///   correct   Otherwise, if both segments lie on a common edge.
-///   false     Otherwise, and an unjudged match whose segments lie on the two edges of a wrong pair.
-///   missed    A left segment without any match that certainly lies on an edge for which there is a
-///             right segment: one that certainly lies on that edge too, at least half of the shorter
-///             one beside the other along the edge, and that is not matched with another left segment
-///             beside this one. (The right image may show only one of two parallel lines.)
+///   false     Otherwise, and an unjudged match whose segments lie on the two edges of a wrong
+///   pair. missed    A left segment without any match that certainly lies on an edge for which
+///   there is a
+///             right segment: one that certainly lies on that edge too, at least half of the
+///             shorter one beside the other along the edge, and that is not matched with another
+///             left segment beside this one. (The right image may show only one of two parallel
+///             lines.)
 /// A left segment with a false match counts as false, and not as missed too. Throws
 /// std::invalid_argument for a match whose index is out of range and for options out of range.
 MatchingScore score_matches(std::span<const Segment2> left,
@@ -70,9 +73,9 @@ MatchingScore score_matches(std::span<const Segment2> left,
                             std::span<const EdgeInBoth> edges,
                             const MatchScoringOptions& options = {});
 
-/// Judges matches by a list of the true ones. A match is correct if the list has it, unjudged if the
-/// list has neither of its segments, and else false. A left segment of the list is missed if it is in
-/// no match.
+/// Judges matches by a list of the true ones. A match is correct if the list has it, unjudged if
+/// the list has neither of its segments, and else false. A left segment of the list is missed if it
+/// is in no match.
 MatchingScore score_matches(std::span<const LineMatch> matches,
                             std::span<const LineMatch> reference);
 

@@ -15,7 +15,8 @@ struct Beside {
   double distance_px = 0.0;  ///< the larger one of both ends
 };
 
-/// The stretch of the edge that the segment lies on; nothing unless it lies on the edge, see score_matches().
+/// The stretch of the edge that the segment lies on; nothing unless it lies on the edge, see
+/// score_matches().
 std::optional<Beside> lies_on(const Segment2& segment,
                               const Segment2& edge,
                               const MatchScoringOptions& options);

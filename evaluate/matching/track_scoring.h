@@ -32,15 +32,17 @@ struct TracksScore {
 };
 
 /// Judges tracks by true edges. A segment lies on an edge as in score_matches().
-/// The edge of a track is the one that it certainly lies on in most views; of several, the one that most of its sightings
-/// lie on, then the first one. The sightings of a track without an edge are unjudged (texture, shadows). Of the others
+/// The edge of a track is the one that it certainly lies on in most views; of several, the one that
+/// most of its sightings lie on, then the first one. The sightings of a track without an edge are
+/// unjudged (texture, shadows). Of the others
 ///   correct   lie on a run of the track's edge;
-///   unjudged  lie on no edge, in a view that has no run of the track's edge or where they continue one beyond its
-///             visible part by at most its length;
+///   unjudged  lie on no edge, in a view that has no run of the track's edge or where they continue
+///             one beyond its visible part by at most its length;
 ///   false     are all others.
-/// An edge is found if sightings of one track lie on it in two views at least; the views of such tracks are found, too.
-/// An edge that no segment shows counts as missed: the figures include the extraction of segments.
-/// Throws std::invalid_argument for a view or a segment out of range and for an edge in fewer than two views.
+/// An edge is found if sightings of one track lie on it in two views at least; the views of such
+/// tracks are found, too. An edge that no segment shows counts as missed: the figures include the
+/// extraction of segments. Throws std::invalid_argument for a view or a segment out of range and
+/// for an edge in fewer than two views.
 TracksScore score_tracks(std::span<const std::vector<Segment2>> segments_by_view,
                          std::span<const Track> tracks,
                          std::span<const TrueEdge> edges,

@@ -16,9 +16,9 @@ namespace ridgeline::evaluate {
 struct Calibration {
   std::string label;
   std::size_t n = 0;  ///< evaluated lines with a predicted sigma
-  /// Mean normalised squared error per degree of freedom, mean z^2. It is 1 if sigma is right, larger if sigma is
-  /// optimistic and smaller if it is pessimistic. A few lines that were judged by a wrong surface decide this mean;
-  /// `median_z2` and the shares describe the other lines.
+  /// Mean normalised squared error per degree of freedom, mean z^2. It is 1 if sigma is right,
+  /// larger if sigma is optimistic and smaller if it is pessimistic. A few lines that were judged
+  /// by a wrong surface decide this mean; `median_z2` and the shares describe the other lines.
   std::optional<double> nees_per_dof;
   std::optional<double> share_beyond_99_9;  ///< share of |z| > 3.29; 0.1 % if z is standard normal
   std::optional<Interval> bounds95;         ///< of nees_per_dof if sigma is right

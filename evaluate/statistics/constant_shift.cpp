@@ -47,8 +47,8 @@ struct Basis {
   Eigen::Matrix3Xd told, untold;
 };
 
-/// The basis with untold directions that are nearly level made level. The shift along them is taken as 0: along slightly
-/// tilted ones, a shift of 45 m in height would be a shift of metres in plan.
+/// The basis with untold directions that are nearly level made level. The shift along them is taken
+/// as 0: along slightly tilted ones, a shift of 45 m in height would be a shift of metres in plan.
 Basis levelled(Basis basis) {
   const Eigen::Index n_untold = basis.untold.cols();
   if (n_untold == 0 || n_untold == 3 || basis.untold.row(2).norm() > kMaxUndeterminedPart)
@@ -101,7 +101,8 @@ class Fit {
   [[nodiscard]] const Eigen::VectorXd& shift_m() const { return shift_m_; }
   [[nodiscard]] Eigen::Index n_told() const { return x_.rows(); }
 
-  /// The share of each cluster in what is known along each axis of the basis: sums over clusters are 1.
+  /// The share of each cluster in what is known along each axis of the basis: sums over clusters
+  /// are 1.
   [[nodiscard]] std::vector<Eigen::VectorXd> shares() const {
     std::vector<Eigen::VectorXd> parts;
     for (const auto& [label, cluster] : clusters()) {
@@ -152,7 +153,8 @@ class Fit {
     }
   }
 
-  /// NMAD of the residuals about 0. It is no smaller than what the millimetres of a file tell apart.
+  /// NMAD of the residuals about 0. It is no smaller than what the millimetres of a file tell
+  /// apart.
   [[nodiscard]] double scale_m() const {
     constexpr double kMinScale_m = 5e-4;
     constexpr double kNormal = 1.4826;
@@ -175,8 +177,8 @@ class Fit {
     }
   }
 
-  /// Mean derivative of the influence function over the mean weight: how much less a residual counts than its weight says. It
-  /// is 0.83 for normal errors.
+  /// Mean derivative of the influence function over the mean weight: how much less a residual
+  /// counts than its weight says. It is 0.83 for normal errors.
   [[nodiscard]] double derivative_ratio() const {
     double weights = 0.0;
     double derivatives = 0.0;
@@ -301,8 +303,9 @@ ConstantShift counted(std::span<const LineEvaluation> lines, const std::vector<E
 double least_norm(const Eigen::Vector3d& mean,
                   const Eigen::Matrix3d& covariance,
                   double squared_radius) {
-  // The smallest x minimises |x|^2 / 2 + m / 2 (x - mean)' C^-1 (x - mean). Along an axis of C with variance c it is
-  // mean / (1 + s c), s = 1 / m, and lies s^2 mean^2 c / (1 + s c)^2 off the mean, which grows with s.
+  // The smallest x minimises |x|^2 / 2 + m / 2 (x - mean)' C^-1 (x - mean). Along an axis of C with
+  // variance c it is mean / (1 + s c), s = 1 / m, and lies s^2 mean^2 c / (1 + s c)^2 off the mean,
+  // which grows with s.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   const Eigen::Array3d c = solver.eigenvalues().array().max(0.0);
   const Eigen::Array3d along = (solver.eigenvectors().transpose() * mean).array();

@@ -22,8 +22,8 @@ struct JudgedDecoy {
   LineEvaluation evaluation;
 };
 
-/// P(comes out within kRight_m | wrong by that much): the decoys of one kind and distance whose lines were evaluated. Says
-/// nothing on how many lines are wrong.
+/// P(comes out within kRight_m | wrong by that much): the decoys of one kind and distance whose
+/// lines were evaluated. Says nothing on how many lines are wrong.
 struct DecoyFigure {
   DecoyKind kind = DecoyKind::kHeight;
   double distance_m = 0.0;
@@ -38,10 +38,11 @@ struct DecoyFigure {
   [[nodiscard]] std::optional<double> withheld_share() const;
 };
 
-/// The figures by kind and distance, without those of no decoy. `lines`: the lines that the decoys were made of, judged. The
-/// interval is that of a bootstrap over cluster_labels() of these lines, since decoys of one roof share its planes; it also
-/// holds the Wilson interval of independent decoys, because a share of 0 has no spread to be resampled.
-/// Throws std::invalid_argument for a decoy of a line that is not there.
+/// The figures by kind and distance, without those of no decoy. `lines`: the lines that the decoys
+/// were made of, judged. The interval is that of a bootstrap over cluster_labels() of these lines,
+/// since decoys of one roof share its planes; it also holds the Wilson interval of independent
+/// decoys, because a share of 0 has no spread to be resampled. Throws std::invalid_argument for a
+/// decoy of a line that is not there.
 std::vector<DecoyFigure> decoy_figures(std::span<const JudgedDecoy> decoys,
                                        std::span<const LineEvaluation> lines,
                                        const BootstrapOptions& options);

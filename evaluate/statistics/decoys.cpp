@@ -42,7 +42,8 @@ Eigen::Vector3d along_ray(const ProjectionMatrix& camera, const Eigen::Vector3d&
                         Plane3(Eigen::Vector3d::UnitZ(), -(x.z() + up_m)));
 }
 
-/// What a false match would show in place of `seen`: the projection of the moved line with the residual of the line itself.
+/// What a false match would show in place of `seen`: the projection of the moved line with the
+/// residual of the line itself.
 Segment2 false_match(const ImageSighting& seen, const Segment3& line, const Segment3& moved) {
   Segment2 before = project(seen.image_from_local, line);
   Segment2 after = project(seen.image_from_local, moved);
@@ -144,7 +145,8 @@ std::string decoy_id(std::uint64_t key, DecoyKind kind, double distance_m) {
   return fmt::format("{:016x} {} {:+g} m", key, name(kind), distance_m);
 }
 
-/// The first of eight steps to all sides that keeps `x` in the box, beginning with one that the key chooses.
+/// The first of eight steps to all sides that keeps `x` in the box, beginning with one that the key
+/// chooses.
 std::optional<Eigen::Vector2d> step_within(const Eigen::AlignedBox2d& box,
                                            const Eigen::Vector2d& x,
                                            double distance_m,

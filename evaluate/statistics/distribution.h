@@ -30,8 +30,8 @@ std::optional<double> quantile(std::vector<double> values, double share);
 std::optional<double> median(std::vector<double> values);
 
 /// Normalised median absolute deviation 1.4826 median |v - median v|. It estimates the standard
-/// deviation of a normal distribution, with a breakdown point of 50 %. The values must be signed; for
-/// magnitudes it means something else. Empty for no values.
+/// deviation of a normal distribution, with a breakdown point of 50 %. The values must be signed;
+/// for magnitudes it means something else. Empty for no values.
 std::optional<double> nmad(std::span<const double> signed_values);
 
 }  // namespace ridgeline::evaluate

@@ -35,8 +35,8 @@ struct Evaluation {
 Evaluation with_summaries(Evaluation evaluation);
 
 /// The evaluations cut down to the lines, by id, that are `evaluated` in all of them: the paired
-/// line set on which methods are compared. Summaries are computed anew; decoys, which are of all lines, are left out.
-/// Throws std::invalid_argument if they are not all of one patch.
+/// line set on which methods are compared. Summaries are computed anew; decoys, which are of all
+/// lines, are left out. Throws std::invalid_argument if they are not all of one patch.
 std::vector<Evaluation> on_common_lines(std::span<const Evaluation> evaluations);
 
 }  // namespace ridgeline::evaluate

@@ -17,9 +17,9 @@ struct FrameCheck {
   std::string reason;                ///< one clause; empty for the same frame
 };
 
-/// Lines and cloud are not in the same frame if the median distance is above 20 times `tolerance_m`,
-/// or if fewer than 5 % of the lines are near the cloud. The check passes if no line has a geometry.
-/// Throws std::invalid_argument unless tolerance_m > 0.
+/// Lines and cloud are not in the same frame if the median distance is above 20 times
+/// `tolerance_m`, or if fewer than 5 % of the lines are near the cloud. The check passes if no line
+/// has a geometry. Throws std::invalid_argument unless tolerance_m > 0.
 FrameCheck check_frame(std::span<const LineEvaluation> lines, double tolerance_m);
 
 }  // namespace ridgeline::evaluate

@@ -17,9 +17,9 @@ inline constexpr double kDefaultLevel = 0.95;
 /// Interval of a RMS of independent, normal, zero-mean values with the given degrees of freedom
 /// (n; for a standard deviation n - 1):
 ///   [rms sqrt(dof / chi2_{dof, 1 - a/2}), rms sqrt(dof / chi2_{dof, a/2})], a = 1 - level.
-/// Lines of one roof are not independent, and the interval is too narrow then; see clustered_bootstrap().
-/// Empty for no degree of freedom. Throws std::invalid_argument unless rms >= 0 and
-/// 0 < level < 1.
+/// Lines of one roof are not independent, and the interval is too narrow then; see
+/// clustered_bootstrap(). Empty for no degree of freedom. Throws std::invalid_argument unless rms
+/// >= 0 and 0 < level < 1.
 std::optional<Interval> chi_square_rms_interval(double rms,
                                                 std::size_t dof,
                                                 double level = kDefaultLevel);

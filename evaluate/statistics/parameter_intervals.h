@@ -23,14 +23,14 @@ double total_length(const std::vector<ParameterInterval>& disjoint);
 /// Number of the parameters (k + 0.5) / n, k = 0 .. n - 1, in disjoint intervals.
 int count_samples(const std::vector<ParameterInterval>& disjoint, int n);
 
-/// The parameters at which a linear function from `start` to `end` has a magnitude of at most `limit`;
-/// empty if there are none.
+/// The parameters at which a linear function from `start` to `end` has a magnitude of at most
+/// `limit`; empty if there are none.
 std::optional<ParameterInterval> where_within(double start, double end, double limit);
 
 /// The part of `segment` within `tolerance` of the segment `reference` (not of the line beyond its
 /// ends). It is one interval, because the distance to a convex set is convex along a line. It is
-/// exact: three quadratics are solved, for the parts nearest to the start, the inside and the end of
-/// the reference.
+/// exact: three quadratics are solved, for the parts nearest to the start, the inside and the end
+/// of the reference.
 std::optional<ParameterInterval> part_near(const Segment3& segment,
                                            const Segment3& reference,
                                            double tolerance);

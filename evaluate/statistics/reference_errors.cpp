@@ -55,7 +55,8 @@ ReferenceImage reference_image(const ProjectionMatrix& image_from_local,
   return {image_from_local, std::move(lines_px), std::move(by_place)};
 }
 
-/// The reference lines in each base image of the lines. These images are few, as many lines come from one pair.
+/// The reference lines in each base image of the lines. These images are few, as many lines come
+/// from one pair.
 std::vector<ReferenceImage> reference_images(std::span<const JudgedLine> lines,
                                              std::span<const ReferenceLine> references) {
   std::vector<ReferenceImage> images;
@@ -91,8 +92,8 @@ std::optional<std::size_t> reference_of(const ImageEvidence& line,
   return best;
 }
 
-/// Mean distance of the segment from the infinite line. The distance is convex along the segment, so
-/// a few samples are exact to a per cent where it is not linear.
+/// Mean distance of the segment from the infinite line. The distance is convex along the segment,
+/// so a few samples are exact to a per cent where it is not linear.
 double mean_distance_m(const Segment3& segment, const Segment3& reference) {
   constexpr int kSamples = 11;
   const Eigen::ParametrizedLine<double, 3> line =
@@ -109,8 +110,8 @@ struct ErrorParts {
   double mean_square_horizontal_m2 = 0.0, mean_square_vertical_m2 = 0.0, mean_vertical_m = 0.0;
 };
 
-/// The error parts by the offsets of the ends, between which they change linearly. Nothing for a steep
-/// reference line.
+/// The error parts by the offsets of the ends, between which they change linearly. Nothing for a
+/// steep reference line.
 std::optional<ErrorParts> error_parts(const Segment3& segment, const Segment3& reference) {
   constexpr double kMaxSlope = 3.732;  // tan 75 degrees
   const Eigen::Vector3d along = reference.end - reference.start;
@@ -138,8 +139,8 @@ bool is_of(const JudgedLine& line, std::string_view line_class) {
   return line_class == kTotal || line.line_class == line_class;
 }
 
-/// Squared error of the two ends across the reference line, normalised by the stated covariance; nothing if by that
-/// covariance a combination of the ends is free of error.
+/// Squared error of the two ends across the reference line, normalised by the stated covariance;
+/// nothing if by that covariance a combination of the ends is free of error.
 std::optional<double> normalised_square(const JudgedLine& line, const Segment3& reference) {
   const Eigen::Vector3d along = (reference.end - reference.start).normalized();
   const Eigen::Vector3d across = along.unitOrthogonal();

@@ -23,8 +23,8 @@ struct ReferenceOptions {
   /// A line belongs to the reference line whose image passes this close to both ends of its image
   /// segment, in both images.
   double max_distance_px = 2.0;
-  /// The covariance of a line is tested only if its reference line passes this close. Farther off it may
-  /// be another edge beside the true one.
+  /// The covariance of a line is tested only if its reference line passes this close. Farther off
+  /// it may be another edge beside the true one.
   double max_tested_px = 1.0;
   double gross_m = 1.0;
   /// Largest distance and angle of a line from the reference line that it covers.
@@ -43,14 +43,14 @@ struct ReferenceErrors {
   std::size_t n_on_reference = 0;  ///< n of the figures below; the others lie on no reference line
   std::optional<double> rms_m, median_m, q95_m, max_m;
   std::optional<double> gross_share;
-  /// Errors across the reference line in plan (horizontal), and in height at the same place in plan (vertical): root mean
-  /// squares along each line, then over the lines. `n_parts` is the number of lines that have them; lines on a reference
-  /// line steeper than 75 degrees do not.
+  /// Errors across the reference line in plan (horizontal), and in height at the same place in plan
+  /// (vertical): root mean squares along each line, then over the lines. `n_parts` is the number of
+  /// lines that have them; lines on a reference line steeper than 75 degrees do not.
   std::size_t n_parts = 0;
   std::optional<double> rmse_horizontal_m, rmse_vertical_m, mean_vertical_m;
-  /// Normalised squared error of the two ends across the reference line. If the stated covariance is right, it is
-  /// chi-square with 4 degrees of freedom; its median over the expected median is then 1, and the share beyond the
-  /// 99.9 % limit is 0.1 %.
+  /// Normalised squared error of the two ends across the reference line. If the stated covariance
+  /// is right, it is chi-square with 4 degrees of freedom; its median over the expected median is
+  /// then 1, and the share beyond the 99.9 % limit is 0.1 %.
   std::size_t n_tested = 0;
   std::optional<double> median_nees_ratio, nees_beyond_99_9_share;
 };
@@ -65,8 +65,9 @@ struct ReferenceComparison {
   std::vector<ReferenceCompleteness> completeness;  ///< by kind in order of name, then "all"
 };
 
-/// Index of the reference line that each line was made from, by its image segments; empty for a line
-/// without images or on no reference line. If there are several, it is the nearest one in the images.
+/// Index of the reference line that each line was made from, by its image segments; empty for a
+/// line without images or on no reference line. If there are several, it is the nearest one in the
+/// images.
 std::vector<std::optional<std::size_t>> reference_of_each(std::span<const JudgedLine> lines,
                                                           std::span<const ReferenceLine> references,
                                                           const ReferenceOptions& options = {});

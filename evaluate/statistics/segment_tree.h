@@ -10,8 +10,8 @@
 
 namespace ridgeline::evaluate {
 
-/// Finds segments by place: an R-tree over their axis-parallel boxes, so that a few segments far away
-/// cost nothing. `Segment` is Segment2 or Segment3. Copies share the tree.
+/// Finds segments by place: an R-tree over their axis-parallel boxes, so that a few segments far
+/// away cost nothing. `Segment` is Segment2 or Segment3. Copies share the tree.
 template <typename Segment>
 class SegmentTree {
  public:

@@ -11,16 +11,18 @@
 
 namespace ridgeline::evaluate {
 
-// The figures of a class in the terms of standards. They are informative: distances of lines from planes are no
-// checkpoints.
+// The figures of a class in the terms of standards. They are informative: distances of lines from
+// planes are no checkpoints.
 
-/// Parts of the standard uncertainty of the distance of one line (GUM), root mean square over the lines, metres.
+/// Parts of the standard uncertainty of the distance of one line (GUM), root mean square over the
+/// lines, metres.
 struct UncertaintyBudget {
   double laser_random_m = 0.0;      ///< independent errors of the points, through the planes' fits
   double laser_systematic_m = 0.0;  ///< SummaryOptions::sigma_sys_m
   /// What plane_sigma_m() adds to the independent errors: neighbours that err together, few points.
   double plane_fit_m = 0.0;
-  /// Uncertainty of the RMS of the class, not of a line: the standard error of the clustered bootstrap.
+  /// Uncertainty of the RMS of the class, not of a line: the standard error of the clustered
+  /// bootstrap.
   std::optional<double> sampling_m;
 
   /// Uncertainty of the distance of one line: laser and plane.
@@ -28,11 +30,13 @@ struct UncertaintyBudget {
   [[nodiscard]] double expanded_m() const { return 2.0 * combined_m(); }  ///< k = 2
 };
 
-/// RMSE of ridges and hips with the error of the reference included, as ASPRS Edition 2 (2023) counts.
+/// RMSE of ridges and hips with the error of the reference included, as ASPRS Edition 2 (2023)
+/// counts.
 struct AsprsFigures {
   std::size_t n = 0;
   std::optional<double> rmse_horizontal_m, rmse_vertical_m, rmse_3d_m;
-  /// The best class that the reference can attest: the reference must be twice as accurate as the class.
+  /// The best class that the reference can attest: the reference must be twice as accurate as the
+  /// class.
   double best_class_m = 0.0;
   bool few_checkpoints = false;  ///< n < 30
   bool biased = false;           ///< |mean vertical| above 25 % of the RMSE
@@ -60,8 +64,8 @@ struct StandardsBlock {
   std::vector<IsoMeasure> iso19157;
 };
 
-/// One block for each class of the evaluation. If the measures against reference lines at one tolerance are given,
-/// `total` also has the rates of missing and of excess items, by length.
+/// One block for each class of the evaluation. If the measures against reference lines at one
+/// tolerance are given, `total` also has the rates of missing and of excess items, by length.
 std::vector<StandardsBlock> standards_blocks(
     const Evaluation& evaluation, const std::optional<ToleranceMeasures>& against_lines = {});
 

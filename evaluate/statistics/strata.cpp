@@ -26,8 +26,8 @@ struct Property {
   BinOf bin_of;
 };
 
-/// Index of the bin (bounds[k], bounds[k + 1]] that holds the value. The first bin includes its lower bound. Empty for a
-/// value outside all bins.
+/// Index of the bin (bounds[k], bounds[k + 1]] that holds the value. The first bin includes its
+/// lower bound. Empty for a value outside all bins.
 std::optional<std::size_t> bin_index(const std::vector<double>& bounds, double value) {
   if (!(value >= bounds.front() && value <= bounds.back())) return std::nullopt;
   const auto upper = std::lower_bound(bounds.begin() + 1, bounds.end(), value);
@@ -70,7 +70,8 @@ std::optional<double> steepest_slope_deg(const LineEvaluation& line) {
   return steepest;
 }
 
-/// The lines by the quartiles of their predicted sigma, which are those of this evaluation's own lines.
+/// The lines by the quartiles of their predicted sigma, which are those of this evaluation's own
+/// lines.
 Property by_sigma(const Evaluation& evaluation) {
   std::vector<double> sigmas_m;
   for (const LineEvaluation& line : evaluation.lines) {

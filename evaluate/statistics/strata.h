@@ -25,8 +25,9 @@ struct Stratification {
 };
 
 /// Strata by epipolar angle (0 2 5 10 20 45 90 degrees; with more than two views the largest over
-/// the pairs), kind, length, slope of the steepest plane and quartile of the predicted sigma; if a line has three
-/// images or more, by number of images, too. Each stratification sums to the total, see assert_pooled(); std::logic_error is thrown otherwise.
+/// the pairs), kind, length, slope of the steepest plane and quartile of the predicted sigma; if a
+/// line has three images or more, by number of images, too. Each stratification sums to the total,
+/// see assert_pooled(); std::logic_error is thrown otherwise.
 std::vector<Stratification> stratify(const Evaluation& evaluation);
 
 }  // namespace ridgeline::evaluate

@@ -185,7 +185,8 @@ std::vector<std::size_t> members_of_no_class(std::span<const LineEvaluation> lin
   return members;
 }
 
-/// The summary with its groups. Without lines that points or the place decided on, one group would repeat it.
+/// The summary with its groups. Without lines that points or the place decided on, one group would
+/// repeat it.
 Summary with_groups(Summary summary, const std::function<Summary(DecidedGroup)>& summary_of) {
   Summary of_place = summary_of(DecidedGroup::kPointsPlace);
   if (of_place.n_evaluated == 0) return summary;

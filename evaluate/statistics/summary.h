@@ -60,8 +60,8 @@ struct Summary {
   std::optional<double> gross_share;             ///< lines with e > gross_m
   std::size_t n_outliers = 0;                    ///< never left out of the figures above
   std::optional<double> rms_without_outliers_m;  ///< rms_m of the lines that are no outliers
-  /// How many lines, those farthest off, make half of sum_squares_m2, and rms_m of the others. A few lines can make the
-  /// RMS what it is.
+  /// How many lines, those farthest off, make half of sum_squares_m2, and rms_m of the others. A
+  /// few lines can make the RMS what it is.
   std::size_t n_half_of_squares = 0;
   std::optional<double> rms_without_half_m;
 
@@ -70,8 +70,8 @@ struct Summary {
   std::optional<double> rmse_vertical_m;    ///< of the n_parts lines, in height
   std::optional<double> mean_vertical_m;    ///< of the n_parts lines; positive if they are too high
 
-  /// Of a class with lines that points or the place decided on: its figures by kDecidedGroups, each of all its lines, of which only
-  /// those of the group count as evaluated. Else empty.
+  /// Of a class with lines that points or the place decided on: its figures by kDecidedGroups, each
+  /// of all its lines, of which only those of the group count as evaluated. Else empty.
   std::vector<Summary> by_group;
   /// The figures of a group; without evaluated lines if the class has none of it.
   [[nodiscard]] Summary of_group(DecidedGroup group) const;
@@ -82,10 +82,10 @@ struct Summary {
   [[nodiscard]] std::optional<double> evaluated_share_by_length() const;
 };
 
-/// The figures of the lines whose index is in `members`; `clusters[i]` is the label of line i. With a group, the evaluated lines of
-/// the other one count as lines alone.
-/// Throws std::invalid_argument if the spans `lines` and `clusters` differ in length, and
-/// std::logic_error if an evaluated line has a distance that is not finite.
+/// The figures of the lines whose index is in `members`; `clusters[i]` is the label of line i. With
+/// a group, the evaluated lines of the other one count as lines alone. Throws std::invalid_argument
+/// if the spans `lines` and `clusters` differ in length, and std::logic_error if an evaluated line
+/// has a distance that is not finite.
 Summary summarize(std::span<const LineEvaluation> lines,
                   std::span<const std::size_t> clusters,
                   std::span<const std::size_t> members,
@@ -93,9 +93,9 @@ Summary summarize(std::span<const LineEvaluation> lines,
                   const SummaryOptions& options,
                   std::optional<DecidedGroup> group = {});
 
-/// `not_aligned`, `aligned` and `total`, in this order; only `total` if there are lines and none is of
-/// the first two classes. Lines of another class count in `total` alone. The pooled identity is asserted, of the classes and of the
-/// groups of each.
+/// `not_aligned`, `aligned` and `total`, in this order; only `total` if there are lines and none is
+/// of the first two classes. Lines of another class count in `total` alone. The pooled identity is
+/// asserted, of the classes and of the groups of each.
 std::vector<Summary> summarize_classes(std::span<const LineEvaluation> lines,
                                        const SummaryOptions& options);
 
@@ -104,8 +104,8 @@ const Summary* find_class(std::span<const Summary> summaries, std::string_view l
 
 /// Checks the pooled identity of disjoint parts. Their numbers of lines, of evaluated lines and of
 /// each status and their sums of squares add up to those of the total (relative 1e-12); the total's
-/// statuses add up to its lines. Throws std::logic_error naming the cell and the two numbers if not,
-/// which is a defect of this program.
+/// statuses add up to its lines. Throws std::logic_error naming the cell and the two numbers if
+/// not, which is a defect of this program.
 void assert_pooled(const Summary& total, std::span<const Summary> parts);
 
 /// The same of the evaluated lines and squares of Summary::by_group, if there are any.

@@ -19,8 +19,8 @@ struct ToleranceOptions {
 /// Throws std::invalid_argument unless gsd_m > 0.
 std::vector<double> tolerances_with_gsd(double gsd_m);
 
-/// Length-weighted measures at one tolerance: L is the length of a line, r the share of it that lies
-/// within the tolerance of the reference.
+/// Length-weighted measures at one tolerance: L is the length of a line, r the share of it that
+/// lies within the tolerance of the reference.
 struct ToleranceMeasures {
   double tolerance_m = 0.0;
   std::optional<double> precision;  ///< sum L r / sum L; empty without lines
@@ -38,19 +38,19 @@ struct ToleranceMeasures {
   std::optional<double> limap_p_percent;  ///< empty without lines
 };
 
-/// Measures lines against true 3D lines. r is the share of a line within the tolerance of a reference
-/// segment (not beyond its ends) whose direction is within max_angle_deg. limap_r_m sums over the
-/// reference lines, as LIMAP does for CAD models. The intervals are solved for, not sampled; an R-tree
-/// finds the neighbours. Returns one result per tolerance, in their order.
+/// Measures lines against true 3D lines. r is the share of a line within the tolerance of a
+/// reference segment (not beyond its ends) whose direction is within max_angle_deg. limap_r_m sums
+/// over the reference lines, as LIMAP does for CAD models. The intervals are solved for, not
+/// sampled; an R-tree finds the neighbours. Returns one result per tolerance, in their order.
 /// Throws std::invalid_argument for a segment that is not finite or a tolerance <= 0.
 std::vector<ToleranceMeasures> measure_against_lines(std::span<const Segment3> lines,
                                                      std::span<const Segment3> references,
                                                      const ToleranceOptions& options);
 
 /// Measures the evaluated lines against their LIDAR planes. r is the share of a line within the
-/// tolerance of its plane (of both for a ridge), times the plane's coverage: it is known how much of
-/// the line is covered, but not which part. There is no completeness. limap_r_m sums over the lines
-/// and leaves coverage out. Throws std::invalid_argument for a tolerance <= 0.
+/// tolerance of its plane (of both for a ridge), times the plane's coverage: it is known how much
+/// of the line is covered, but not which part. There is no completeness. limap_r_m sums over the
+/// lines and leaves coverage out. Throws std::invalid_argument for a tolerance <= 0.
 std::vector<ToleranceMeasures> measure_against_planes(std::span<const LineEvaluation> lines,
                                                       const ToleranceOptions& options);
 

@@ -25,7 +25,8 @@ using Tree = bg::index::rtree<Entry, bg::index::rstar<16>>;
 
 EndPoint point_of(const Eigen::Vector3d& x) { return {x.x(), x.y(), x.z()}; }
 
-/// Calls `visit(index)` for the entries within `radius_m` of x on each axis, in the order of their indices.
+/// Calls `visit(index)` for the entries within `radius_m` of x on each axis, in the order of their
+/// indices.
 template <typename Visit>
 void for_each_within(const Tree& tree,
                      const Eigen::Vector3d& x,

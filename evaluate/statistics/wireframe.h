@@ -28,10 +28,10 @@ struct WireframeScore {
 
 inline constexpr double kWireframeThresholds_m[] = {0.1, 0.25, 0.5, 1.0};
 
-/// The measures of Building3D (Wang et al. 2023), one score for each of kWireframeThresholds_m. Corners are the ends of
-/// the lines; ends within a centimetre of each other are one corner. Corners are matched one to one with true corners,
-/// nearest first, up to the threshold. An edge is found if its two ends are matched with the ends of one true edge; a
-/// true edge counts once.
+/// The measures of Building3D (Wang et al. 2023), one score for each of kWireframeThresholds_m.
+/// Corners are the ends of the lines; ends within a centimetre of each other are one corner.
+/// Corners are matched one to one with true corners, nearest first, up to the threshold. An edge is
+/// found if its two ends are matched with the ends of one true edge; a true edge counts once.
 /// Throws std::invalid_argument for a segment that is not finite.
 std::vector<WireframeScore> wireframe_scores(std::span<const Segment3> lines,
                                              std::span<const Segment3> references);

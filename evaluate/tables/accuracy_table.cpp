@@ -17,8 +17,8 @@ std::string flags_text(const AccuracyStatement& statement) {
   return flags.empty() ? std::string(kNoValue) : fmt::format("{}", fmt::join(flags, ", "));
 }
 
-/// The figures in the style of ASPRS Edition 2 (RMSE) and of NSSDA (1.9600 RMSE, its factor for heights, as a
-/// distance has one dimension); "" if there is no RMSE.
+/// The figures in the style of ASPRS Edition 2 (RMSE) and of NSSDA (1.9600 RMSE, its factor for
+/// heights, as a distance has one dimension); "" if there is no RMSE.
 std::string style_sentence(const AccuracyStatement& total) {
   constexpr double kNssdaVertical = 1.9600;
   const std::optional<double> rmse_m = total.numbers.product_m;

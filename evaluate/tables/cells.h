@@ -15,10 +15,11 @@ namespace ridgeline::evaluate {
 std::string interval_text(const std::optional<Interval>& interval_m);
 /// The interval of the RMS, with "(too few clusters)" behind it if that makes it unreliable.
 std::string interval_text(const Summary& summary);
-/// The RMS in metres with the numbers of evaluated and of all lines, "0.152 (12/14)"; "-" for nullptr.
+/// The RMS in metres with the numbers of evaluated and of all lines, "0.152 (12/14)"; "-" for
+/// nullptr.
 std::string rms_text(const Summary* summary);
-/// The same of the lines that plan and images decided on, and behind it that of the lines that points or the place did, if
-/// there are any: "0.152 (12/14) + 0.634 (2/14)".
+/// The same of the lines that plan and images decided on, and behind it that of the lines that
+/// points or the place did, if there are any: "0.152 (12/14) + 0.634 (2/14)".
 std::string headline_text(const Summary* summary);
 
 /// A row of a table of classes.

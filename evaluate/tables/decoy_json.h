@@ -11,9 +11,11 @@
 
 namespace ridgeline::evaluate {
 
-/// The figures of the decoys as `evaluation.METHOD.json` holds them, one object for each kind and distance.
+/// The figures of the decoys as `evaluation.METHOD.json` holds them, one object for each kind and
+/// distance.
 Json decoys_json(std::span<const DecoyFigure> decoys);
-/// Reads what decoys_json() wrote. Throws std::invalid_argument "what: value; rule" for anything else.
+/// Reads what decoys_json() wrote. Throws std::invalid_argument "what: value; rule" for anything
+/// else.
 std::vector<DecoyFigure> parse_decoys(const Json& json);
 
 /// The comparison with the same lines elsewhere; null if there is none.

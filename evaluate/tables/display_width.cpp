@@ -37,7 +37,8 @@ std::size_t n_following(unsigned char first) {
   return first >= 0xE0 ? 2 : 1;
 }
 
-/// Returns the character at `at` and moves `at` behind it; U+FFFD for a byte that belongs to no character.
+/// Returns the character at `at` and moves `at` behind it; U+FFFD for a byte that belongs to no
+/// character.
 char32_t next(std::string_view text, std::size_t& at) {
   const auto first = static_cast<unsigned char>(text[at++]);
   if (first < 0x80) return first;

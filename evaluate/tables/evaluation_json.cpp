@@ -35,7 +35,8 @@ Json plane_json(const JudgingPlane& p, const Eigen::Vector3d& origin_m) {
           {"max_distance_m", number_json(p.distance.max_abs)}};
 }
 
-/// The displacement of a ridge; null if there is none: no ridge, or planes that are too parallel or too little known.
+/// The displacement of a ridge; null if there is none: no ridge, or planes that are too parallel or
+/// too little known.
 Json displacement_json(const std::optional<RidgeDisplacement>& d) {
   if (!d) return nullptr;
   return {{"horizontal_m", number_json(d->horizontal_m)},

@@ -84,7 +84,8 @@ Kind parse_kind(const Json& line) {
   return kind == "step" ? Kind::kStep : Kind::kRidge;
 }
 
-/// The value of type T, of `n_values`, whose name stands there; nothing for null and without the key.
+/// The value of type T, of `n_values`, whose name stands there; nothing for null and without the
+/// key.
 template <typename T>
 std::optional<T> named_if_any(const Json& object, const char* key, int n_values) {
   const auto found = object.find(key);

@@ -16,18 +16,20 @@ struct ReferenceRow {
   std::vector<WireframeScore> wireframe;
 };
 
-/// `patch,method,class,n_lines,n_on_reference,rms_m,median_m,q95_m,max_m,gross_share,n_parts,rmse_horizontal_m,
-/// rmse_vertical_m,mean_vertical_m,n_tested,median_nees_ratio,nees_beyond_99_9_share`; a figure that does not exist
-/// is an empty field.
+/// `patch,method,class,n_lines,n_on_reference,rms_m,median_m,q95_m,max_m,gross_share,n_parts,
+/// rmse_horizontal_m,rmse_vertical_m,mean_vertical_m,n_tested,median_nees_ratio,
+/// nees_beyond_99_9_share`; a figure that does not exist is an empty field.
 std::string reference_errors_to_csv(const std::vector<ReferenceRow>& rows);
 
 /// `patch,method,kind,n_reference_lines,n_reconstructed,share`.
 std::string reference_completeness_to_csv(const std::vector<ReferenceRow>& rows);
 
-/// `patch,method,what,threshold_m,n_found,n_true,n_matched,precision,recall,f1,mean_offset_m` for edges and corners.
+/// `patch,method,what,threshold_m,n_found,n_true,n_matched,precision,recall,f1,mean_offset_m` for
+/// edges and corners.
 std::string wireframe_to_csv(const std::vector<ReferenceRow>& rows);
 
-/// The tables of errors, completeness and wireframe scores, each below a sentence that explains its figures.
+/// The tables of errors, completeness and wireframe scores, each below a sentence that explains its
+/// figures.
 std::string reference_to_markdown(const std::vector<ReferenceRow>& rows);
 
 }  // namespace ridgeline::evaluate

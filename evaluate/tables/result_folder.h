@@ -16,7 +16,8 @@ namespace ridgeline::evaluate {
 /// What a run left behind, as read back from its folder.
 struct ResultFolder {
   std::string name;  ///< as shown to the user
-  /// Whether `evaluate` wrote the folder. Its methods are then the line files that were given to be judged.
+  /// Whether `evaluate` wrote the folder. Its methods are then the line files that were given to be
+  /// judged.
   bool is_of_line_files = false;
   std::vector<Evaluation> evaluations;
   Table1 matching;  ///< without rows if the run did not match
@@ -26,7 +27,8 @@ struct ResultFolder {
   std::optional<double> duration_s;
   /// The number of images by patch that the run reconstructed lines from, if it recorded that.
   std::map<std::string, std::size_t> n_views;
-  /// SHA-256 of the segments, matches and tracks of each patch, whose rows number the lines; empty for lines of files.
+  /// SHA-256 of the segments, matches and tracks of each patch, whose rows number the lines; empty
+  /// for lines of files.
   std::map<std::string, std::set<std::string>> id_hashes;
   /// Table2::joint_adjusts_to_faces by the recorded options; empty if these do not tell.
   std::optional<bool> joint_adjusts_to_faces;

@@ -17,10 +17,12 @@ struct StandardsRow {
 /// ASPRS, NSSDA and the uncertainty budget by class, then the measures of ISO 19157 of `total`.
 std::string standards_to_markdown(const std::vector<StandardsBlock>& blocks);
 
-/// `patch,method,class,iso19157_id,measure,value,unit,n`; a value that does not exist is an empty field.
+/// `patch,method,class,iso19157_id,measure,value,unit,n`; a value that does not exist is an empty
+/// field.
 std::string measures_to_csv(const std::vector<StandardsRow>& rows);
 
-/// The measures of `total` as DQ_* elements with DQ_QuantitativeResult, in the encoding of ISO/TS 19139:2007.
+/// The measures of `total` as DQ_* elements with DQ_QuantitativeResult, in the encoding of ISO/TS
+/// 19139:2007.
 std::string measures_to_xml(const std::vector<StandardsRow>& rows);
 
 }  // namespace ridgeline::evaluate

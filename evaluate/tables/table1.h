@@ -13,7 +13,8 @@ namespace ridgeline::evaluate {
 struct Table1Row {
   std::string patch, matcher;
   MatchCounts counts;
-  /// Matches that the reference says nothing about (texture, shadows). They count in no figure of the table.
+  /// Matches that the reference says nothing about (texture, shadows). They count in no figure of
+  /// the table.
   std::size_t n_unjudged = 0;
 };
 
@@ -24,7 +25,8 @@ struct PatchTracks {
   std::size_t n_unjudged = 0;  ///< sightings that the reference says nothing about
 };
 
-/// Quality of line matching (Ok et al. 2011, Table 1), by number of matches, and of tracks over several images.
+/// Quality of line matching (Ok et al. 2011, Table 1), by number of matches, and of tracks over
+/// several images.
 struct Table1 {
   std::vector<Table1Row> rows;
   std::vector<PatchTracks> tracks = {};  ///< of patches with reference tracks
@@ -37,12 +39,14 @@ std::string to_markdown(const Table1& table);
 /// with three decimals, empty for a denominator of 0.
 std::string to_csv(const Table1& table);
 
-/// `patch,class,n_images,edges,edges_found,edge_recall,shown,shown_found,sighting_recall,right,wrong,sighting_precision`, a row
-/// for each class and number of images (`all`, 2, 3, 4, `5 and more`) that has edges.
+/// `patch,class,n_images,edges,edges_found,edge_recall,shown,shown_found,sighting_recall,right,
+/// wrong,sighting_precision`, a row per class and number of images (`all`, 2, 3, 4, `5 and more`)
+/// that has edges.
 std::string to_tracks_csv(const Table1& table);
 
-/// {"rows": [{patch, matcher, correct, false, missed, correctness, correctness_ci95, ...}]}, and with
-/// reference tracks "tracks": [{patch, unjudged, cells: [{class, n_images (2 to 5, null: all), edges, ...}]}].
+/// {"rows": [{patch, matcher, correct, false, missed, correctness, correctness_ci95, ...}]}, and
+/// with reference tracks "tracks": [{patch, unjudged, cells: [{class, n_images (2 to 5, null: all),
+/// edges, ...}]}].
 std::string to_json(const Table1& table);
 
 /// Reads the counts of what to_json() wrote; the figures follow from them.

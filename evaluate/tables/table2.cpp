@@ -95,8 +95,8 @@ std::string parts_markdown(const Table2& table) {
          written.text(Markup::kMarkdown) + "\n";
 }
 
-/// Whether a result has the classes aligned and not_aligned. A result without lines has both, so it counts only if no
-/// result has lines.
+/// Whether a result has the classes aligned and not_aligned. A result without lines has both, so it
+/// counts only if no result has lines.
 bool has_classes(const Table2& table) {
   const auto is_empty = [](const PatchMethodResult& result) {
     const Summary* total = find_class(result.classes, kTotal);

@@ -40,26 +40,29 @@ Table2 make_table2(std::span<const Evaluation> evaluations, bool joint_adjusts_t
 
 /// A line of text with what qualifies the figures; "" if nothing does:
 ///   - which lines were moved before they were judged;
-///   - why direct and joint differ on not_aligned lines, for which the paper's methods agree, if both are there and
-///     joint adjusted lines to faces.
+///   - why direct and joint differ on not_aligned lines, for which the paper's methods agree, if
+///     both are there and joint adjusted lines to faces.
 std::string footnote(const Table2& table);
 
 /// The published form: a row per patch, methods side by side, RMS with evaluated/all lines in
 /// every cell; below it a row per cell with interval, bias and robust figures, the lines excluded
-/// by reason, and the fixed sentence. Where points or the place decided on some lines, cells hold headline_text(), and each
-/// has the rows of rows_of().
+/// by reason, and the fixed sentence. Where points or the place decided on some lines, cells hold
+/// headline_text(), and each has the rows of rows_of().
 std::string to_markdown(const Table2& table);
 
-/// `patch,method,class,n_lines,n_evaluated,rms_m,ci95_low_m,ci95_high_m,median_m,nmad_m,q95_m,n_plan_images,rms_plan_images_m,
-/// n_points_place,rms_points_place_m`: one row a class, of all its lines, with the RMS of each of kDecidedGroups; a figure that does
-/// not exist is an empty field. If any lines were moved before they were judged, moved_x_m,moved_y_m,moved_z_m follow.
+/// `patch,method,class,n_lines,n_evaluated,rms_m,ci95_low_m,ci95_high_m,median_m,nmad_m,q95_m,
+/// n_plan_images,rms_plan_images_m,n_points_place,rms_points_place_m`: one row per class,
+/// of all its lines, with the RMS of each of kDecidedGroups; a figure that does not exist is an
+/// empty field. If any lines were moved before they were judged, moved_x_m,moved_y_m,moved_z_m
+/// follow.
 std::string to_csv(const Table2& table);
 
-/// `patch,method,class,n_ridges,rmse_horizontal_m,rmse_vertical_m,mean_vertical_m`: the parts of ridges and hips,
-/// see RidgeDisplacement.
+/// `patch,method,class,n_ridges,rmse_horizontal_m,rmse_vertical_m,mean_vertical_m`: the parts of
+/// ridges and hips, see RidgeDisplacement.
 std::string parts_to_csv(const Table2& table);
 
-/// Every figure in full precision: {"rows": [{patch, method, class, ...}], "note": ..., "footnote": ...}.
+/// Every figure in full precision: {"rows": [{patch, method, class, ...}], "note": ..., "footnote":
+/// ...}.
 std::string to_json(const Table2& table);
 
 /// A `tabular` with booktabs rules in the published layout, n in every cell.

@@ -19,7 +19,8 @@ struct Table2Layout {
   std::vector<Row> rows;
 };
 
-/// The layout of a table, with patches and methods in order of first appearance. It points into `table`.
+/// The layout of a table, with patches and methods in order of first appearance. It points into
+/// `table`.
 Table2Layout lay_out(const Table2& table);
 
 }  // namespace ridgeline::evaluate

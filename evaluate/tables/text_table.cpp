@@ -62,7 +62,8 @@ std::string TextTable::markdown_row(std::size_t row) const {
   return text + "\n";
 }
 
-/// Whether a plain table shows a column. It shows all keys, and the columns in which a row has a figure.
+/// Whether a plain table shows a column. It shows all keys, and the columns in which a row has a
+/// figure.
 bool TextTable::has_figures(std::size_t column) const {
   if (columns_[column].part == 0 || rows_.empty()) return true;
   return std::ranges::any_of(rows_, [&](const Row& row) { return row.cells[column] != kNoValue; });

@@ -15,19 +15,20 @@ namespace ridgeline::evaluate {
 /// What a text is written for: a terminal, or a page that shows Markdown.
 enum class Markup : std::uint8_t { kPlain, kMarkdown };
 
-/// A foreign `text`, such as a file's name, made safe for a sentence: its Markdown is escaped; for a terminal its
-/// control characters are replaced.
+/// A foreign `text`, such as a file's name, made safe for a sentence: its Markdown is escaped; for
+/// a terminal its control characters are replaced.
 std::string in_sentence(std::string_view text, Markup markup);
 
-/// A table of text that can be written for every Markup. Cells are given as they shall be read; what Markdown takes for
-/// markup is escaped when the table is written.
+/// A table of text that can be written for every Markup. Cells are given as they shall be read;
+/// what Markdown takes for markup is escaped when the table is written.
 class TextTable {
  public:
   /// A column whose title ends in a colon is flush right: "RMS:".
   explicit TextTable(const std::vector<std::string>& columns) : TextTable(columns, {}) {}
 
-  /// `keys` are the titles of the columns that tell the rows apart, `parts` those of their figures, in groups. If a plain
-  /// table with several groups is too wide for a terminal, each group becomes a block that repeats the keys.
+  /// `keys` are the titles of the columns that tell the rows apart, `parts` those of their figures,
+  /// in groups. If a plain table with several groups is too wide for a terminal, each group becomes
+  /// a block that repeats the keys.
   TextTable(const std::vector<std::string>& keys,
             const std::vector<std::vector<std::string>>& parts);
 
@@ -38,8 +39,8 @@ class TextTable {
   }
   void add_row(std::vector<std::string> cells);
 
-  /// Adds a sentence to the row that was added last. It stands below the row in plain text, and at the end of the row's
-  /// last cell in Markdown.
+  /// Adds a sentence to the row that was added last. It stands below the row in plain text, and at
+  /// the end of the row's last cell in Markdown.
   void add_note(std::string note) { rows_.back().note = std::move(note); }
 
   [[nodiscard]] bool empty() const { return rows_.empty(); }
@@ -74,8 +75,8 @@ class TextTable {
 /// A table below its caption.
 std::string captioned(std::string_view caption, const TextTable& table, Markup markup);
 
-/// Sentences as a paragraph. For a terminal it is broken between words into lines that are no wider than tables; in
-/// Markdown it is not changed.
+/// Sentences as a paragraph. For a terminal it is broken between words into lines that are no wider
+/// than tables; in Markdown it is not changed.
 std::string paragraph(std::string_view sentences, Markup markup);
 
 }  // namespace ridgeline::evaluate

@@ -55,8 +55,8 @@ class BinaryTableSource : public CloudSource {
   BinaryTable table_;
 };
 
-/// Whether the column's values of `n_rows` rows lie within `n_bytes`. The claimed number of rows may be anything, so
-/// it is divided and not multiplied.
+/// Whether the column's values of `n_rows` rows lie within `n_bytes`. The claimed number of rows
+/// may be anything, so it is divided and not multiplied.
 bool fits(const TableColumn& column, std::uint64_t n_rows, std::uint64_t n_bytes) {
   const std::uint64_t size = size_of(column.type);
   if (n_rows == 0) return true;

@@ -24,8 +24,8 @@ struct TableColumn {
 
 /// Rows of numbers, row by row (PLY, PCD binary) or column by column (PCD binary_compressed).
 struct BinaryTable {
-  /// The owner of `bytes`: the mapped file, or the numbers unpacked from it. With std::monostate the caller keeps
-  /// them alive.
+  /// The owner of `bytes`: the mapped file, or the numbers unpacked from it. With std::monostate
+  /// the caller keeps them alive.
   std::variant<MappedFile, std::vector<std::byte>, std::monostate> storage;
   std::span<const std::byte> bytes{};
   std::vector<TableColumn> columns{};

@@ -63,8 +63,8 @@ void check_range(const Eigen::AlignedBox3d& extent_in_world, const std::string& 
   }
 }
 
-/// The number of points of a block, if the file's index shows that all of them lie outside the wanted region; else
-/// nothing.
+/// The number of points of a block, if the file's index shows that all of them lie outside the
+/// wanted region; else nothing.
 std::optional<std::uint64_t> points_outside(const CloudSource& source,
                                             std::size_t index,
                                             const LocalFromFile& local_from_file,
@@ -117,9 +117,9 @@ void add(const ReadSummary& part, ReadSummary& sum) {
   sum.drops.share += part.drops.share;
 }
 
-/// Calls `visit(block)` for every block in file order until it returns false; some blocks are decoded ahead in
-/// parallel. A block's fault is thrown only when its turn comes, so that the first one in the file is reported
-/// whatever the timing.
+/// Calls `visit(block)` for every block in file order until it returns false; some blocks are
+/// decoded ahead in parallel. A block's fault is thrown only when its turn comes, so that the first
+/// one in the file is reported whatever the timing.
 template <typename Visit>
 void for_each_block(const CloudSource& source,
                     const LocalFromFile& local_from_file,

@@ -23,7 +23,8 @@ bool holds_block(const Eigen::AlignedBox3d& box, const CloudSource& source, std:
   });
 }
 
-/// Steps of the coordinates that the storage of the file causes (the scale of LAS, or float32), metres.
+/// Steps of the coordinates that the storage of the file causes (the scale of LAS, or float32),
+/// metres.
 Eigen::Vector3d stored_steps_m(const CloudFileInfo& info,
                                const Eigen::Vector3d& unit_m,
                                const Eigen::AlignedBox3d& extent_in_world) {
@@ -42,13 +43,15 @@ Eigen::Vector3d stored_steps_m(const CloudFileInfo& info,
   return steps_m;
 }
 
-/// Whether the plan is a raster whose cells have the size of the steps of the coordinates and hold one point each at
-/// most. No two points of the first block share a cell, and a good part of all cells is filled.
+/// Whether the plan is a raster whose cells have the size of the steps of the coordinates and hold
+/// one point each at most. No two points of the first block share a cell, and a good part of all
+/// cells is filled.
 bool is_raster(const CloudSource& source,
                const Eigen::Vector3d& unit_m,
                const Eigen::Vector3d& steps_m,
                const SeenPoints& seen) {
-  // Points at the centres of cells may halve the step; a full raster then fills a quarter of the cells.
+  // Points at the centres of cells may halve the step; a full raster then fills a quarter of the
+  // cells.
   constexpr double kMinFill = 0.1;
   if (!(steps_m.x() > 0.0) || steps_m.x() != steps_m.y() || source.n_blocks() == 0) return false;
   const Eigen::Vector3d size_m = seen.extent_in_world.sizes();

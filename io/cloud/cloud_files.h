@@ -16,16 +16,17 @@
 
 namespace ridgeline::io {
 
-/// The files of one cloud. Headers are read once; points are read as often as they are asked for, for example around
-/// one group of lines after another. A file is passed over if its header's bounds show that it has no wanted point.
-/// Headers are often wrong, so the bounds count only if points of some of the file's blocks confirm them, and only
-/// until distrust_headers() is called.
+/// The files of one cloud. Headers are read once; points are read as often as they are asked for,
+/// for example around one group of lines after another. A file is passed over if its header's
+/// bounds show that it has no wanted point. Headers are often wrong, so the bounds count only if
+/// points of some of the file's blocks confirm them, and only until distrust_headers() is called.
 class CloudFiles {
  public:
   /// Opens every file. `options.near` has no meaning here: it is given with each reading.
   /// Throws as read_cloud().
   CloudFiles(const std::vector<std::string>& paths_or_patterns, const ReadOptions& options);
-  /// Takes a cloud that is open already, such as one in memory. Throws std::invalid_argument unless it is_light().
+  /// Takes a cloud that is open already, such as one in memory. Throws std::invalid_argument unless
+  /// it is_light().
   CloudFiles(std::unique_ptr<CloudSource> source, const ReadOptions& options);
   ~CloudFiles();
 
@@ -37,25 +38,28 @@ class CloudFiles {
   /// Sets ReadOptions::bounds_in_file from a box in metres.
   void set_bounds(const Eigen::AlignedBox3d& box_in_world);
 
-  /// Sets ReadOptions::plan_scale, which depends on where the data lie. Frame and units change with it.
+  /// Sets ReadOptions::plan_scale, which depends on where the data lie. Frame and units change with
+  /// it.
   void set_plan_scale(const Eigen::Vector2d& scale);
   [[nodiscard]] const Eigen::Vector2d& plan_scale() const { return options_.plan_scale; }
 
   /// The path of the first file.
   [[nodiscard]] const std::string& path() const { return files_.front().info.path; }
 
-  /// Metres on the ground per coordinate unit by axis, from the CRS, else from the first file's own unit keys.
+  /// Metres on the ground per coordinate unit by axis, from the CRS, else from the first file's own
+  /// unit keys.
   [[nodiscard]] const Eigen::Vector3d& unit_m() const { return files_.front().unit_m; }
 
-  /// The points that the options keep and that lie in the mask, if there is one. Order, units, counts and errors are
-  /// those of read_cloud().
+  /// The points that the options keep and that lie in the mask, if there is one. Order, units,
+  /// counts and errors are those of read_cloud().
   PointCloud read(std::optional<PlanMask> near);
 
-  /// The points of read(), or nothing if there are more than `max_points`. No more than these and a few blocks are
-  /// held to find that out.
+  /// The points of read(), or nothing if there are more than `max_points`. No more than these and a
+  /// few blocks are held to find that out.
   std::optional<PointCloud> read_at_most(std::optional<PlanMask> near, std::uint64_t max_points);
 
-  /// The points of read() with the largest share that gives at most `max_points`. The shares tried are 1, 1/4, 1/16,
+  /// The points of read() with the largest share that gives at most `max_points`. The shares tried
+  /// are 1, 1/4, 1/16,
   /// ... of the options' share.
   PointCloud read_thinned(const std::optional<PlanMask>& near, std::uint64_t max_points);
 
@@ -67,11 +71,12 @@ class CloudFiles {
 
   /// The places of the files that some reading has not passed over, in the order of the files.
   [[nodiscard]] std::vector<std::size_t> read_places() const;
-  /// Counts files as read, because another process has read them. Throws std::invalid_argument for a place of no file.
+  /// Counts files as read, because another process has read them. Throws std::invalid_argument for
+  /// a place of no file.
   void count_as_read(const std::vector<std::size_t>& places);
 
-  /// Puts warnings of readings in other processes into the order of one reading: those of all files first, then file by
-  /// file.
+  /// Puts warnings of readings in other processes into the order of one reading: those of all files
+  /// first, then file by file.
   void sort_warnings(std::vector<std::string>& warnings) const;
 
   /// The box of the points that the options keep, metres; empty without any. Reads all files.

@@ -29,7 +29,8 @@ struct CloudFileInfo {
   std::uint64_t n_points = 0;
   /// Whether coordinates are stored as binary float32, which has steps of 0.5 m at UTM northings.
   bool has_float_coordinates = false;
-  /// Bounds that the header states, file units. They are often wrong, so they are only compared with the points.
+  /// Bounds that the header states, file units. They are often wrong, so they are only compared
+  /// with the points.
   std::optional<Eigen::AlignedBox3d> stated_bounds{};
   std::optional<Eigen::Vector3d> scale{};  ///< of LAS coordinates: x = scale * integer + offset
   std::optional<Eigen::Vector3d> offset{};
@@ -58,8 +59,8 @@ class CloudSource {
   /// Number of points of the largest block, which bounds the memory of a decoded block.
   [[nodiscard]] virtual std::size_t max_block_points() const { return 16384; }
 
-  /// The extent of a block in a file with a spatial index (COPC), by which blocks outside a region are passed over;
-  /// nothing for other files.
+  /// The extent of a block in a file with a spatial index (COPC), by which blocks outside a region
+  /// are passed over; nothing for other files.
   [[nodiscard]] virtual std::optional<BlockExtent> block_extent(std::size_t /*block*/) const {
     return std::nullopt;
   }
@@ -68,7 +69,8 @@ class CloudSource {
   /// without those before it.
   [[nodiscard]] virtual bool is_light() const { return true; }
 
-  /// Says that these blocks are not needed for now, so that the pages of a mapped file do not pile up in memory.
+  /// Says that these blocks are not needed for now, so that the pages of a mapped file do not pile
+  /// up in memory.
   virtual void release_blocks(std::size_t /*first*/, std::size_t /*count*/) const {}
 
   /// Replaces `points` by all points of a block, in file order.
@@ -86,8 +88,8 @@ struct OpenCloudOptions {
   double max_resolution_m = 0.0;  ///< see ReadOptions
 };
 
-/// Opens LAS, LAZ, COPC, PCD, PLY or a text file of `x y z` lines. The format is told by the first bytes, not by the
-/// name; only text is told from binary by the name (.xyz .txt .csv .asc .pts).
+/// Opens LAS, LAZ, COPC, PCD, PLY or a text file of `x y z` lines. The format is told by the first
+/// bytes, not by the name; only text is told from binary by the name (.xyz .txt .csv .asc .pts).
 /// Throws IoError naming the path.
 std::unique_ptr<CloudSource> open_cloud(const std::string& path,
                                         const OpenCloudOptions& options = {});

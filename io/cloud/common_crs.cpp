@@ -32,7 +32,8 @@ CommonCrs assumed(std::span<const CloudFileInfo> files, const Crs& crs) {
   return common;
 }
 
-/// The units for messages: "US survey foot (0.304800609601 m)", with the unit of the heights if that is another one.
+/// The units for messages: "US survey foot (0.304800609601 m)", with the unit of the heights if
+/// that is another one.
 std::string units_text(const Eigen::Vector3d& unit_m) {
   if (same_unit(unit_m.x(), unit_m.z())) return unit_text(unit_m.x());
   return fmt::format("{} in plan and {} in height", unit_text(unit_m.x()), unit_text(unit_m.z()));

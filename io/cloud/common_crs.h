@@ -19,9 +19,9 @@ struct CommonCrs {
   std::vector<std::string> warnings;    ///< with paths
 };
 
-/// Finds the common system. If `assume_crs` is known, it replaces every file's own. A file that states no system is
-/// taken to share that of the others, with a warning.
-/// Throws IoError naming both files and systems if two differ, and for degrees.
+/// Finds the common system. If `assume_crs` is known, it replaces every file's own. A file that
+/// states no system is taken to share that of the others, with a warning. Throws IoError naming
+/// both files and systems if two differ, and for degrees.
 CommonCrs find_common_crs(std::span<const CloudFileInfo> files, const Crs& assume_crs);
 
 }  // namespace ridgeline::io

@@ -43,8 +43,8 @@ std::uint16_t epsg_code(const ShortKeys& keys, std::uint16_t key) {
   return found == keys.end() || found->second >= kUserDefined ? std::uint16_t{0} : found->second;
 }
 
-/// The EPSG code of a vertical datum that GeoTIFF 1.0 gives a code of its own; 0 for any other code. Key 4099 states
-/// the unit of such heights.
+/// The EPSG code of a vertical datum that GeoTIFF 1.0 gives a code of its own; 0 for any other
+/// code. Key 4099 states the unit of such heights.
 std::uint16_t epsg_code_of_datum(std::uint16_t code) {
   switch (code) {
     case 5101:
@@ -98,15 +98,15 @@ bool is_horizontal(const Crs& crs) {
   return facts && !facts->horizontal_name.empty();
 }
 
-/// Whether a system states heights alone. A three-dimensional system states heights too, but cannot be part of a
-/// compound system.
+/// Whether a system states heights alone. A three-dimensional system states heights too, but cannot
+/// be part of a compound system.
 bool is_vertical_alone(const Crs& crs) {
   const std::optional<CrsFacts> facts = known_facts(crs);
   return facts && facts->horizontal_name.empty() && !facts->vertical_name.empty();
 }
 
-/// Makes a compound system of the horizontal one and that of key 4096. A datum has no unit: its heights are in the
-/// unit of key 4099, else in that of the plan.
+/// Makes a compound system of the horizontal one and that of key 4096. A datum has no unit: its
+/// heights are in the unit of key 4099, else in that of the plan.
 void add_heights(const ShortKeys& keys, GeoTiffCrs& result) {
   const std::uint16_t stated = epsg_code(keys, kVerticalCrs);
   if (stated == 0) return;

@@ -13,11 +13,12 @@ namespace ridgeline::io {
 
 /// A CRS as GeoTIFF keys give it.
 struct GeoTiffCrs {
-  /// "EPSG:horizontal" or "EPSG:horizontal+vertical", WKT if the heights have another unit; unknown if the keys name
-  /// no CRS
+  /// "EPSG:horizontal" or "EPSG:horizontal+vertical", WKT if the heights have another unit; unknown
+  /// if the keys name no CRS
   Crs crs;
   std::optional<double> horizontal_unit_m;  ///< stated by key 3076
-  /// The unit that key 4099 states; without it, that of the system of key 4096 if no horizontal system is known.
+  /// The unit that key 4099 states; without it, that of the system of key 4096 if no horizontal
+  /// system is known.
   std::optional<double> vertical_unit_m;
   std::vector<std::string> warnings;
 };

@@ -27,9 +27,10 @@ void require_point_format(const std::string& path);
 /// Writes the points by the extension of the path, with fields rgb, plane_id and distance_m:
 ///   .las  LAS 1.4 in the units of the CRS, which it states
 ///   .ply  binary, double coordinates in the units of the CRS, which a comment states
-///   .pcd  binary, coordinates in metres relative to an origin that a comment states, as PCL holds 32 bits; rgb
-///         as PCL packs it
-/// The same points give the same bytes. Written whole or not at all. Throws IoError if it cannot be written.
+///   .pcd  binary, coordinates in metres relative to an origin that a comment states, as PCL holds
+///         32 bits; rgb as PCL packs it
+/// The same points give the same bytes. Written whole or not at all. Throws IoError if it cannot be
+/// written.
 void write_labelled_points(const std::string& path, const LabelledPoints& points);
 
 }  // namespace ridgeline::io

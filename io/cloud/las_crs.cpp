@@ -40,8 +40,8 @@ Crs checked_wkt(const std::string& wkt, std::vector<std::string>& warnings) {
   return {};
 }
 
-/// Replaces the units of some axes by the one that the keys state, with a warning if the reference system states
-/// another.
+/// Replaces the units of some axes by the one that the keys state, with a warning if the reference
+/// system states another.
 void apply_stated_unit(
     double stated_m, const char* what, int first_axis, int n_axes, LasCrs& result) {
   auto units = result.unit_m.segment(first_axis, n_axes);
@@ -56,8 +56,8 @@ void apply_stated_unit(
                   what, stated_m, of_crs_m));
 }
 
-/// Applies the units of the keys. Heights without a unit of their own are in that of the plan, as in a registered
-/// system.
+/// Applies the units of the keys. Heights without a unit of their own are in that of the plan, as
+/// in a registered system.
 void apply_stated_units(const GeoTiffCrs& keys, bool has_vertical_crs, LasCrs& result) {
   if (keys.horizontal_unit_m) {
     apply_stated_unit(*keys.horizontal_unit_m, "horizontal", 0, 2, result);

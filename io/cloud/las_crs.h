@@ -21,10 +21,11 @@ struct LasCrs {
   std::vector<std::string> warnings;
 };
 
-/// Reads WKT (LASF_Projection 2112, or liblas 2112) and GeoTIFF keys (34735). If both are present and disagree, WKT
-/// wins if bit 4 of the global encoding is set or the version is 1.5, else the keys win; a warning names both.
-/// Records that PROJ cannot read leave the CRS unknown, with a warning. Where WKT is not used, unit keys (3076, 4099)
-/// that differ from the CRS are obeyed, with a warning, as libgeotiff does.
+/// Reads WKT (LASF_Projection 2112, or liblas 2112) and GeoTIFF keys (34735). If both are present
+/// and disagree, WKT wins if bit 4 of the global encoding is set or the version is 1.5, else the
+/// keys win; a warning names both. Records that PROJ cannot read leave the CRS unknown, with a
+/// warning. Where WKT is not used, unit keys (3076, 4099) that differ from the CRS are obeyed, with
+/// a warning, as libgeotiff does.
 LasCrs read_las_crs(std::span<const std::byte> file, const LasHeader& header);
 
 }  // namespace ridgeline::io

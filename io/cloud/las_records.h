@@ -22,9 +22,9 @@ struct LasRecordLayout {
 
 LasRecordLayout las_record_layout(const LasHeader& header);
 
-/// Decodes whole uncompressed records, one for each point, in order. In formats 0-5, points of class 12 get the
-/// overlap flag.
-/// Throws std::invalid_argument unless `records` has record_length bytes for each of `points`.
+/// Decodes whole uncompressed records, one for each point, in order. In formats 0-5, points of
+/// class 12 get the overlap flag. Throws std::invalid_argument unless `records` has record_length
+/// bytes for each of `points`.
 void decode_las_records(std::span<const std::byte> records,
                         const LasHeader& header,
                         const LocalFromFile& local_from_file,

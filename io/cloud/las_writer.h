@@ -23,12 +23,13 @@ struct PointLabel {
   float distance_m = 0.0F;  ///< distance from the plane, along its normal
 };
 
-/// Writes points of a local frame as LAS 1.4, point format 6, GPS time 0. The frame's origin becomes the header's
-/// offset, and the CRS a WKT record. The file appears whole or not at all; the same input gives the same bytes (the
-/// creation date is fixed). `labels` has one label for each point or is empty. With labels, the point format is 7
-/// with colours (8 bits in the upper half of 16) and the extra bytes `plane_id` and `distance_m`.
-/// Throws std::invalid_argument for a coordinate that is not finite or does not fit the scale, a
-/// return number above 15 or a CRS that PROJ cannot read; IoError if the file cannot be written.
+/// Writes points of a local frame as LAS 1.4, point format 6, GPS time 0. The frame's origin
+/// becomes the header's offset, and the CRS a WKT record. The file appears whole or not at all; the
+/// same input gives the same bytes (the creation date is fixed). `labels` has one label for each
+/// point or is empty. With labels, the point format is 7 with colours (8 bits in the upper half of
+/// 16) and the extra bytes `plane_id` and `distance_m`. Throws std::invalid_argument for a
+/// coordinate that is not finite or does not fit the scale, a return number above 15 or a CRS that
+/// PROJ cannot read; IoError if the file cannot be written.
 void write_las(const std::string& path,
                std::span<const CloudPoint> points_in_local,
                const LocalFrame& frame,

@@ -64,7 +64,8 @@ class PcdEntries {
 
   [[nodiscard]] bool has(std::string_view key) const { return entries_.contains(key); }
 
-  /// The words of an entry. Throws IoError unless there are exactly `n`, or at least one if `n` is 0.
+  /// The words of an entry. Throws IoError unless there are exactly `n`, or at least one if `n` is
+  /// 0.
   [[nodiscard]] const Words& words(std::string_view key, std::size_t n) const {
     const auto entry = entries_.find(key);
     if (entry == entries_.end()) lines_.fail(fmt::format("the header has no {}", key));

@@ -86,9 +86,9 @@ void PlanMask::mark(const Segment2& segment, double radius_m) {
   }
 }
 
-/// Marks the cells of a row that may hold points within the radius. Such a point is near the part of the segment that
-/// lies in the row's band widened by the radius, so the cells beside that part are marked as far as the radius
-/// reaches.
+/// Marks the cells of a row that may hold points within the radius. Such a point is near the part
+/// of the segment that lies in the row's band widened by the radius, so the cells beside that part
+/// are marked as far as the radius reaches.
 void PlanMask::mark_row(const Segment2& segment, double radius_m, std::size_t row) {
   const double cell = cell_size_m();
   const double row_low = min_.y() + static_cast<double>(row) * cell;

@@ -18,7 +18,8 @@ namespace ridgeline::io {
 class PlanMask {
  public:
   /// Segments are in plan (x, y) of the local frame, metres. Without segments the mask is empty.
-  /// Throws std::invalid_argument unless radius_m > 0 and all coordinates are finite, at most 1e8 m.
+  /// Throws std::invalid_argument unless radius_m > 0 and all coordinates are finite, at most 1e8
+  /// m.
   PlanMask(std::span<const Segment2> segments_in_local, double radius_m);
 
   [[nodiscard]] bool contains(double x, double y) const {

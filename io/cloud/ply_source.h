@@ -9,9 +9,9 @@
 
 namespace ridgeline::io {
 
-/// Opens the element `vertex` of a mapped PLY file (ascii, binary of either byte order). Numbers of any type are kept
-/// as doubles; elements before it are skipped. `path` serves messages.
-/// Throws IoError.
+/// Opens the element `vertex` of a mapped PLY file (ascii, binary of either byte order). Numbers of
+/// any type are kept as doubles; elements before it are skipped. `path` serves messages. Throws
+/// IoError.
 std::unique_ptr<CloudSource> open_ply(MappedFile file, const std::string& path);
 
 }  // namespace ridgeline::io

@@ -22,12 +22,12 @@ enum class PointAttribute {
   kSourceId
 };
 
-/// The attribute that a column of this name gives, in any case and also with CloudCompare's prefix "scalar_"; `label`
-/// is read as a class. Nothing for columns that are not kept.
+/// The attribute that a column of this name gives, in any case and also with CloudCompare's prefix
+/// "scalar_"; `label` is read as a class. Nothing for columns that are not kept.
 std::optional<PointAttribute> attribute_of_column(std::string_view name);
 
-/// Stores a file's number in a point. Coordinates are reduced to local metres; a code that is no whole number
-/// of its field's range becomes 0, and an intensity is clamped.
+/// Stores a file's number in a point. Coordinates are reduced to local metres; a code that is no
+/// whole number of its field's range becomes 0, and an intensity is clamped.
 void set_attribute(PointAttribute attribute,
                    double value,
                    const LocalFromFile& local_from_file,

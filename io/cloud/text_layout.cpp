@@ -93,8 +93,8 @@ bool groups_thousands(std::string_view field) {
   });
 }
 
-/// A column's name without case, units in brackets, blanks and the marks that join words: "POINT_X" -> "pointx",
-/// "X [m]" -> "x".
+/// A column's name without case, units in brackets, blanks and the marks that join words: "POINT_X"
+/// -> "pointx", "X [m]" -> "x".
 std::string plain_name(std::string_view name) {
   std::string plain;
   int depth = 0;
@@ -106,8 +106,8 @@ std::string plain_name(std::string_view name) {
   return plain;
 }
 
-/// The axis that a column is likely to be, by the names that surveyors and other programs use; attribute_of_column()
-/// knows the plain ones.
+/// The axis that a column is likely to be, by the names that surveyors and other programs use;
+/// attribute_of_column() knows the plain ones.
 std::optional<PointAttribute> axis_by_other_name(std::string_view name) {
   using namespace std::string_view_literals;
   static constexpr std::array kX{
@@ -212,8 +212,8 @@ class LayoutFinder {
     if (text_.starts_with("\xef\xbb\xbf")) layout_.offset = 3;
   }
 
-  /// Takes a comment for the names of the columns if it names all axes. Returns false, as the points are still to
-  /// come.
+  /// Takes a comment for the names of the columns if it names all axes. Returns false, as the
+  /// points are still to come.
   bool is_named_by_comment(const LayoutLine& line) {
     ColumnNames columns = column_names(line);
     if (columns.has_all_axes()) columns_ = std::move(columns);
@@ -304,7 +304,8 @@ class LayoutFinder {
     drop_trailing_items();
   }
 
-  /// Refuses a row with more fields than names, as a name may then belong to another field than the one in its place.
+  /// Refuses a row with more fields than names, as a name may then belong to another field than the
+  /// one in its place.
   void refuse_other_count(const LayoutLine& row, Fields fields) const {
     while (!fields.empty() && fields.back().empty()) fields.pop_back();
     const std::size_t n_named = columns_->names.size();
@@ -354,8 +355,9 @@ class LayoutFinder {
     return items;
   }
 
-  /// Refuses rows such as "512999,314,5403002,956,250,001", whose commas separate and mark decimals. A second field
-  /// of a pair that begins with 0 shows it: digits after a decimal comma may begin so, whole numbers do not.
+  /// Refuses rows such as "512999,314,5403002,956,250,001", whose commas separate and mark
+  /// decimals. A second field of a pair that begins with 0 shows it: digits after a decimal comma
+  /// may begin so, whole numbers do not.
   void refuse_split_decimals() const {
     for (const LayoutLine& row : sample_) {
       if (has_char(row.text, '.') || has_char(row.text, ';')) return;

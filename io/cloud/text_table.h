@@ -14,8 +14,8 @@
 
 namespace ridgeline::io {
 
-/// What separates the fields of a row: a mark such as ';', or blanks (kBlanks), or blanks, commas and semicolons
-/// alike (kAnySeparator).
+/// What separates the fields of a row: a mark such as ';', or blanks (kBlanks), or blanks, commas
+/// and semicolons alike (kAnySeparator).
 inline constexpr char kAnySeparator = '\0';
 inline constexpr char kBlanks = ' ';
 
@@ -50,8 +50,8 @@ struct TextItem {
   bool is_list = false;
 };
 
-/// A table of numbers, with one row a line. Lines for which is_text_row() is false are no rows. Items that are not
-/// kept may be text; those after the listed ones are ignored.
+/// A table of numbers, with one row a line. Lines for which is_text_row() is false are no rows.
+/// Items that are not kept may be text; those after the listed ones are ignored.
 struct TextTable {
   MappedFile file;
   std::size_t offset = 0;            ///< byte of the first row

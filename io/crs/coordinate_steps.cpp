@@ -66,7 +66,8 @@ void AxisSteps::merge(const AxisSteps& other) {
   largest_ = std::max(largest_, other.largest_);
 }
 
-/// The largest step up to `limit` that all values share; 0 if there is none. `next` gives the next larger step.
+/// The largest step up to `limit` that all values share; 0 if there is none. `next` gives the next
+/// larger step.
 template <typename Next>
 double AxisSteps::Lattice::largest_step(double limit, const Next& next) const {
   if (!is_alive || divisor == 0) return 0.0;

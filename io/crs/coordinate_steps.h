@@ -14,9 +14,10 @@ namespace ridgeline::io {
 /// Coarsest tolerable step of coordinates: a quarter of the 0.1 m plane tolerance.
 inline constexpr double kMaxCoordinateStep_m = 0.025;
 
-/// Finds the step that coordinates of one axis were rounded to: by float32 (a power of 2, 0.5 m at the northings of
-/// UTM) or by too few decimals or digits (1, 5, 10 or so times a power of 10). Values of a fine grid nearly always
-/// rule out a step within the first few, so the rest cost nothing.
+/// Finds the step that coordinates of one axis were rounded to: by float32 (a power of 2, 0.5 m at
+/// the northings of UTM) or by too few decimals or digits (1, 5, 10 or so times a power of 10).
+/// Values of a fine grid nearly always rule out a step within the first few, so the rest cost
+/// nothing.
 class AxisSteps {
  public:
   /// Steps of up to `tolerable`, file units, are not looked for.
@@ -30,14 +31,16 @@ class AxisSteps {
   /// Whether the values so far share a step.
   [[nodiscard]] bool may_have_step() const { return binary_.is_alive || decimal_.is_alive; }
 
-  /// The largest step that all values are multiples of, file units. Nothing if there is none above the tolerable one,
-  /// or if the values are so few that they may share it by chance or by design (two eaves of 3 and 6 m).
+  /// The largest step that all values are multiples of, file units. Nothing if there is none above
+  /// the tolerable one, or if the values are so few that they may share it by chance or by design
+  /// (two eaves of 3 and 6 m).
   [[nodiscard]] std::optional<double> step() const;
 
   /// Whether step() is a power of 2 that no decimal number explains: only float32 rounds so.
   [[nodiscard]] bool has_binary_step() const { return step() && !decimal_.is_alive; }
 
-  /// The step of float32 at the largest of the values, file units; 0 once the values cannot share a step.
+  /// The step of float32 at the largest of the values, file units; 0 once the values cannot share a
+  /// step.
   [[nodiscard]] double float32_step() const;
 
  private:
@@ -75,7 +78,8 @@ class CoordinateSteps {
   void merge(const CoordinateSteps& other);
   [[nodiscard]] bool may_have_steps() const;
 
-  /// Steps by axis, metres; 0 where no step is found. If one axis shows float32, all axes have the steps of float32.
+  /// Steps by axis, metres; 0 where no step is found. If one axis shows float32, all axes have the
+  /// steps of float32.
   [[nodiscard]] Eigen::Vector3d steps_m() const;
 
   [[nodiscard]] bool went_through_float32() const;

@@ -15,8 +15,8 @@
 namespace ridgeline::io {
 namespace {
 
-/// Keeps what was found for the latest definitions. All tiles of a survey state the same definition, and PROJ takes
-/// tens of milliseconds to read it.
+/// Keeps what was found for the latest definitions. All tiles of a survey state the same
+/// definition, and PROJ takes tens of milliseconds to read it.
 template <typename Value>
 class Memo {
  public:

@@ -120,8 +120,8 @@ std::string one_without_heights(const CrsFacts& a, const CrsFacts& b) {
       a.vertical_name.empty() ? b.vertical_name : a.vertical_name);
 }
 
-/// Whether the heights of two systems with compatible plans agree. Heights above the ellipsoid of one datum can
-/// differ in their unit only.
+/// Whether the heights of two systems with compatible plans agree. Heights above the ellipsoid of
+/// one datum can differ in their unit only.
 bool same_heights(PJ_CONTEXT* context, Parts& a, Parts& b) {
   if (a.vertical && b.vertical) return equivalent(context, *a.vertical, *b.vertical);
   return !a.vertical && !b.vertical &&

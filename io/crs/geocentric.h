@@ -15,11 +15,12 @@ struct GeodeticPlace {
   double lat_deg = 0.0, lon_deg = 0.0, height_m = 0.0;
 };
 
-/// Converts between geocentric coordinates, the ellipsoid and a map whose heights are above that ellipsoid. All three
-/// have one datum, so that nothing is lost and no grid is needed.
+/// Converts between geocentric coordinates, the ellipsoid and a map whose heights are above that
+/// ellipsoid. All three have one datum, so that nothing is lost and no grid is needed.
 class GeocentricMap {
  public:
-  /// Throws std::invalid_argument if PROJ cannot read the definition, and if the system is not projected.
+  /// Throws std::invalid_argument if PROJ cannot read the definition, and if the system is not
+  /// projected.
   explicit GeocentricMap(const Crs& map);
   ~GeocentricMap();
   GeocentricMap(const GeocentricMap&) = delete;
@@ -35,8 +36,9 @@ class GeocentricMap {
   /// The frame with axes east, north and up at a place.
   [[nodiscard]] Eigen::Isometry3d geocentric_from_enu(const GeodeticPlace& place) const;
 
-  /// The rotation that is nearest to the derivative of map_from_geocentric() at a place. The map is not true to
-  /// scale, which no rotation shows: plan_scale() has how much longer the plan is than the ground.
+  /// The rotation that is nearest to the derivative of map_from_geocentric() at a place. The map is
+  /// not true to scale, which no rotation shows: plan_scale() has how much longer the plan is than
+  /// the ground.
   [[nodiscard]] Eigen::Matrix3d map_rotation_at(const Eigen::Vector3d& x_in_geocentric_m) const;
   [[nodiscard]] double plan_scale(const Eigen::Vector3d& x_in_geocentric_m) const;
 

@@ -46,7 +46,8 @@ struct FactoryDeleter {
   }
 };
 
-/// The operations from a CRS to geographic coordinates with heights above the ellipsoid, also those whose grids are not there.
+/// The operations from a CRS to geographic coordinates with heights above the ellipsoid, also those
+/// whose grids are not there.
 proj::List operations_to_ellipsoid(PJ_CONTEXT* context, const PJ* crs, const PJ* horizontal) {
   const proj::Object geodetic(proj_crs_get_geodetic_crs(context, horizontal));
   if (!geodetic) return nullptr;

@@ -25,16 +25,18 @@ struct GeoidAnswer {
       missing;  ///< grids that would tell more and are not there; sorted, each once
 };
 
-/// Throws IoError unless PROJ reads the file as a grid of the geoid's heights above the ellipsoid (GTX, GeoTIFF).
+/// Throws IoError unless PROJ reads the file as a grid of the geoid's heights above the ellipsoid
+/// (GTX, GeoTIFF).
 void require_geoid_grid(const std::string& path);
 
 /// The geoid by the first of these that holds the place:
 ///   - the user's grid `path`, if it is not empty;
 ///   - the grid that PROJ's data base names for the vertical part of `crs`, if there is one;
 ///   - EGM96, which is worldwide, and a metre or two off the heights of a country.
-/// A grid that is not there is named in `missing`; no height is made up for it. `position`: east and north in the units of `crs`.
-/// The answer is empty for a CRS that is unknown or not projected. Throws std::invalid_argument if PROJ cannot read the
-/// definition of `crs`, and IoError as require_geoid_grid().
+/// A grid that is not there is named in `missing`; no height is made up for it. `position`: east
+/// and north in the units of `crs`. The answer is empty for a CRS that is unknown or not projected.
+/// Throws std::invalid_argument if PROJ cannot read the definition of `crs`, and IoError as
+/// require_geoid_grid().
 GeoidAnswer geoid_at(const Crs& crs, const Eigen::Vector2d& position, const std::string& path);
 
 }  // namespace ridgeline::io

@@ -37,7 +37,8 @@ std::optional<Ellipsoid> ellipsoid_of(PJ_CONTEXT* context, const PJ* crs) {
   return Ellipsoid{a_m, 1.0 - (b_m * b_m) / (a_m * a_m)};
 }
 
-/// The operation from east and north of a projected CRS to longitude and latitude of its own datum, degrees.
+/// The operation from east and north of a projected CRS to longitude and latitude of its own datum,
+/// degrees.
 Object lonlat_from_grid(PJ_CONTEXT* context, const PJ* projected) {
   const Object geodetic(proj_crs_get_geodetic_crs(context, projected));
   if (!geodetic) return nullptr;

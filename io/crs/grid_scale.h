@@ -22,25 +22,28 @@ struct GridScale {
   [[nodiscard]] bool is_true() const;
 };
 
-/// A figure that is wrong by 1 % is right to its second digit, and intervals of RMS values are wider. It leaves room for
-/// grids of whole countries (UTM far outside of its zone: 0.5 %), but not for those of continents or the world.
+/// A figure that is wrong by 1 % is right to its second digit, and intervals of RMS values are
+/// wider. It leaves room for grids of whole countries (UTM far outside of its zone: 0.5 %), but not
+/// for those of continents or the world.
 constexpr double kMaxScaleError = 0.01;
 
-/// The scale at a place, by central differences of the inverse projection. `position`: east and north in the CRS's
-/// units. Nothing for a CRS that is unknown or not projected, and for a place that is nowhere on Earth.
-/// Throws std::invalid_argument if PROJ cannot read the definition.
+/// The scale at a place, by central differences of the inverse projection. `position`: east and
+/// north in the CRS's units. Nothing for a CRS that is unknown or not projected, and for a place
+/// that is nowhere on Earth. Throws std::invalid_argument if PROJ cannot read the definition.
 std::optional<GridScale> grid_scale(const Crs& crs, const Eigen::Vector2d& position);
 
-/// The scale for messages: "1.515 times as long as on the ground in x and 1.519 times in y at 9.177 E, 48.780 N".
+/// The scale for messages: "1.515 times as long as on the ground in x and 1.519 times in y at 9.177
+/// E, 48.780 N".
 std::string scale_text(const GridScale& scale);
 
-/// The UTM zone of the place, "WGS 84 / UTM zone 32N (EPSG:32632)", in the datum of `crs` if EPSG has its zones.
+/// The UTM zone of the place, "WGS 84 / UTM zone 32N (EPSG:32632)", in the datum of `crs` if EPSG
+/// has its zones.
 std::string utm_zone_text(const Crs& crs, const GridScale& scale);
 
-/// Refuses data whose plan is not true to scale: throws IoError with the file's path. Outside of the CRS's area of
-/// use its scale says nothing, as data there are in another system than they state. The text that is returned then
-/// warns of this; else it is empty. `remedy`: what else could be done than to project the data, ", or ..."; may be
-/// empty.
+/// Refuses data whose plan is not true to scale: throws IoError with the file's path. Outside of
+/// the CRS's area of use its scale says nothing, as data there are in another system than they
+/// state. The text that is returned then warns of this; else it is empty. `remedy`: what else could
+/// be done than to project the data, ", or ..."; may be empty.
 std::string require_true_scale(const std::string& path,
                                const Crs& crs,
                                const Eigen::Vector2d& position,

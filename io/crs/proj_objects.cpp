@@ -24,8 +24,8 @@ bool is_code(std::string_view text) {
          });
 }
 
-/// Whether the definition is something else than a name. PROJ takes any other text for a name and searches for one
-/// like it: "foo" finds Amersfoort.
+/// Whether the definition is something else than a name. PROJ takes any other text for a name and
+/// searches for one like it: "foo" finds Amersfoort.
 bool is_definite(PJ_CONTEXT* context, const std::string& definition) {
   const std::size_t first = definition.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) return false;

@@ -24,11 +24,12 @@ using Context = std::unique_ptr<PJ_CONTEXT, ContextDeleter>;
 using Object = std::unique_ptr<PJ, ObjectDeleter>;
 using List = std::unique_ptr<PJ_OBJ_LIST, ListDeleter>;
 
-/// Makes a context of PROJ. Each call needs its own, as contexts must not be shared between threads.
+/// Makes a context of PROJ. Each call needs its own, as contexts must not be shared between
+/// threads.
 Context make_context();
 
-/// Throws std::invalid_argument if PROJ finds no data base. Without it PROJ knows no code and cannot read WKT with a
-/// code.
+/// Throws std::invalid_argument if PROJ finds no data base. Without it PROJ knows no code and
+/// cannot read WKT with a code.
 void check_data(PJ_CONTEXT* context);
 
 /// The reference system of a definition. Throws std::invalid_argument if PROJ cannot read it.
@@ -46,8 +47,8 @@ struct Unit {
 /// The unit of an axis, counted from 0; `found` is false if the system has fewer axes.
 Unit axis_unit(PJ_CONTEXT* context, const PJ* crs, int axis);
 
-/// A CRS taken apart. The horizontal part has two axes. Heights above the ellipsoid, which three axes or a compound
-/// with the ellipsoid state, are kept as a unit and are no part of their own.
+/// A CRS taken apart. The horizontal part has two axes. Heights above the ellipsoid, which three
+/// axes or a compound with the ellipsoid state, are kept as a unit and are no part of their own.
 struct Parts {
   std::string name = "unknown";
   Object horizontal;
@@ -55,14 +56,14 @@ struct Parts {
   Unit ellipsoidal_height;
 };
 
-/// Splits a CRS into its parts; an unknown CRS has none. Throws std::invalid_argument for what PROJ cannot read, for
-/// what is no reference system, and for a geocentric one.
+/// Splits a CRS into its parts; an unknown CRS has none. Throws std::invalid_argument for what PROJ
+/// cannot read, for what is no reference system, and for a geocentric one.
 Parts split(PJ_CONTEXT* context, const Crs& crs);
 
 CrsFacts facts_of(PJ_CONTEXT* context, const Parts& parts);
 
-/// The registered CRS that `crs` means, if only names differ (ESRI's spelling, older datum names); a copy of `crs` if
-/// PROJ is not nearly sure.
+/// The registered CRS that `crs` means, if only names differ (ESRI's spelling, older datum names);
+/// a copy of `crs` if PROJ is not nearly sure.
 Object identified(PJ_CONTEXT* context, const PJ& crs);
 
 }  // namespace ridgeline::io::proj

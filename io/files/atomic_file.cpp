@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A name in the folder of `path`. The ending of `path` is kept, since some libraries choose a format by it.
+/// A name in the folder of `path`. The ending of `path` is kept, since some libraries choose a
+/// format by it.
 std::string temporary_name(const fs::path& path) {
   static std::atomic<unsigned> counter{0};  // tells the writers of this process apart
   const std::string name = fmt::format(".{}.{}.{}.tmp{}", path.stem().string(), getpid(),
@@ -27,8 +28,8 @@ std::string temporary_name(const fs::path& path) {
   return (path.parent_path() / name).string();
 }
 
-/// The path beside which the temporary file lies. A device's folder is no place for files, so the system's folder for
-/// temporary files takes its place.
+/// The path beside which the temporary file lies. A device's folder is no place for files, so the
+/// system's folder for temporary files takes its place.
 fs::path beside(const fs::path& path, bool is_device) {
   return is_device ? fs::temp_directory_path() / path.filename() : path;
 }

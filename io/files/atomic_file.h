@@ -12,8 +12,9 @@ namespace ridgeline::io {
 
 /// An output file that appears whole or not at all: bytes go to a temporary file in the same
 /// folder, commit() renames it onto `path`. Without commit() nothing is left and what stood at
-/// `path` stays. Missing folders are made. A symbolic link is replaced, and the file that it names stays as it
-/// is. What is no file, as /dev/stdout or a pipe, is never replaced: commit() appends the bytes there.
+/// `path` stays. Missing folders are made. A symbolic link is replaced, and the file that it names
+/// stays as it is. What is no file, as /dev/stdout or a pipe, is never replaced: commit() appends
+/// the bytes there.
 class AtomicFile {
  public:
   /// Throws IoError if the folder cannot be made or written to.
@@ -42,12 +43,12 @@ class AtomicFile {
   bool committed_ = false;
 };
 
-/// Whether the path is no file of its own: a device, a pipe, or a link such as /dev/stdout to what a shell has
-/// opened.
+/// Whether the path is no file of its own: a device, a pipe, or a link such as /dev/stdout to what
+/// a shell has opened.
 bool is_device(const std::string& path);
 
-/// Whether a name is that of an AtomicFile's temporary file or of a ScratchFolder whose process, on this computer, has
-/// ended.
+/// Whether a name is that of an AtomicFile's temporary file or of a ScratchFolder whose process, on
+/// this computer, has ended.
 bool is_left_by_dead_process(const std::string& file_name);
 
 /// Writes `content` to `path`, whole or not at all. Throws IoError as AtomicFile.

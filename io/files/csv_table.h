@@ -17,8 +17,8 @@ struct TextRow;
 /// A comma-separated table with a header, as the program itself writes.
 class CsvTable {
  public:
-  /// Throws IoError for a file that cannot be read or is empty, for one that is known to be of another kind than
-  /// `expected`, and for a row with another number of fields than the header.
+  /// Throws IoError for a file that cannot be read or is empty, for one that is known to be of
+  /// another kind than `expected`, and for a row with another number of fields than the header.
   explicit CsvTable(const std::string& path, std::optional<Expected> expected = std::nullopt);
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }

@@ -47,7 +47,8 @@ std::string owner_of(int descriptor) {
   return lines.empty() ? "another process" : lines.front();
 }
 
-/// Whether the path still names the open file. Its last owner may have removed the file after it was opened here.
+/// Whether the path still names the open file. Its last owner may have removed the file after it
+/// was opened here.
 bool is_in_place(int descriptor, const fs::path& file) {
   struct stat open_file {};
   struct stat named {};
@@ -55,8 +56,8 @@ bool is_in_place(int descriptor, const fs::path& file) {
          open_file.st_dev == named.st_dev && open_file.st_ino == named.st_ino;
 }
 
-/// Opens the lock file, locks it and returns its descriptor. Throws IoError if another process holds the lock, or if
-/// the file cannot be opened.
+/// Opens the lock file, locks it and returns its descriptor. Throws IoError if another process
+/// holds the lock, or if the file cannot be opened.
 int locked_file(const fs::path& folder, const fs::path& file) {
   constexpr int kMaxAttempts = 100;  // a file system may never tell that two names are one file
   for (int attempt = 1;; ++attempt) {
@@ -72,7 +73,8 @@ int locked_file(const fs::path& folder, const fs::path& file) {
                                                  "choose another folder",
                                                  owner));
     }
-    // On a file system without locks flock() fails with another error. Results are written there all the same.
+    // On a file system without locks flock() fails with another error. Results are written there
+    // all the same.
     if (is_in_place(descriptor, file) || attempt == kMaxAttempts) return descriptor;
     close(descriptor);
   }

@@ -12,26 +12,26 @@
 
 namespace ridgeline::io {
 
-/// Keeps a folder of results for one process: `.ridgeline.lock` in it names the process and its computer. The
-/// kernel gives the lock back when the process ends, however it ends, so that none is ever stale. The last
-/// owner in a process removes the file.
+/// Keeps a folder of results for one process: `.ridgeline.lock` in it names the process and its
+/// computer. The kernel gives the lock back when the process ends, however it ends, so that none is
+/// ever stale. The last owner in a process removes the file.
 ///
-/// It knows which files of the folder the program wrote: those that a record there lists (`run.json`, `simulate.json`,
-/// `compare.json`: the key `files`), and those written since. What no record lists yet is in the lock file, and stays
-/// there after a run that failed or was killed.
+/// It knows which files of the folder the program wrote: those that a record there lists
+/// (`run.json`, `simulate.json`, `compare.json`: the key `files`), and those written since. What no
+/// record lists yet is in the lock file, and stays there after a run that failed or was killed.
 class FolderLock {
  public:
-  /// The lock of an existing folder, shared by all that ask for it in this process. Removes the temporary files and
-  /// folders in it that killed processes have left. Throws IoError if another process holds the lock, which it names, or
-  /// if the folder cannot be written to.
+  /// The lock of an existing folder, shared by all that ask for it in this process. Removes the
+  /// temporary files and folders in it that killed processes have left. Throws IoError if another
+  /// process holds the lock, which it names, or if the folder cannot be written to.
   static std::shared_ptr<FolderLock> of(const std::filesystem::path& folder);
 
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
-  /// Throws IoError if somebody else wrote or changed the file. `name` is relative to the folder. May be called by several
-  /// threads, as all that follows.
+  /// Throws IoError if somebody else wrote or changed the file. `name` is relative to the folder.
+  /// May be called by several threads, as all that follows.
   void refuse_foreign(const std::string& name) const;
   /// Removes a file of the program.
   void remove(const std::string& name);
@@ -61,11 +61,13 @@ class FolderLock {
   bool has_unlisted_ = false;
 };
 
-/// Whether the file is a record of this program, which may be replaced whatever it holds: it cannot list itself.
+/// Whether the file is a record of this program, which may be replaced whatever it holds: it cannot
+/// list itself.
 bool is_record(const std::filesystem::path& file);
 
-/// Renames a finished file onto its place. In a folder that this process holds the lock of, it is noted before as one of the
-/// program's, so that it is known after a kill. Throws IoError, and filesystem_error if the file cannot be renamed.
+/// Renames a finished file onto its place. In a folder that this process holds the lock of, it is
+/// noted before as one of the program's, so that it is known after a kill. Throws IoError, and
+/// filesystem_error if the file cannot be renamed.
 void put_in_place(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace ridgeline::io

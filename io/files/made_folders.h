@@ -6,8 +6,8 @@
 
 namespace ridgeline::io {
 
-/// Makes a folder with those above it. The destructor removes the folders that were made if they are empty, so that a
-/// command that fails leaves no trace.
+/// Makes a folder with those above it. The destructor removes the folders that were made if they
+/// are empty, so that a command that fails leaves no trace.
 class MadeFolders {
  public:
   /// Throws IoError if the folder cannot be made or is a file. An empty path makes nothing.

@@ -32,8 +32,8 @@ class MappedFile {
   std::span<const std::byte> bytes_;
 };
 
-/// Gives the system one of madvise(2)'s hints for the pages that lie whole in a range of memory. The hint changes no
-/// byte, whether the system takes it or not.
+/// Gives the system one of madvise(2)'s hints for the pages that lie whole in a range of memory.
+/// The hint changes no byte, whether the system takes it or not.
 void advise_whole_pages(std::span<const std::byte> range, int advice);
 
 }  // namespace ridgeline::io

@@ -6,9 +6,10 @@
 
 namespace ridgeline::io {
 
-/// A temporary folder for a format of several files, or for a library that needs the final name. It lies beside the
-/// target, on the same disk, so that finished files can be renamed into place. It is removed with all that is left in
-/// it. A single file that we write ourselves needs AtomicFile only.
+/// A temporary folder for a format of several files, or for a library that needs the final name. It
+/// lies beside the target, on the same disk, so that finished files can be renamed into place. It
+/// is removed with all that is left in it. A single file that we write ourselves needs AtomicFile
+/// only.
 class ScratchFolder {
  public:
   /// Makes missing folders. Throws IoError naming `target` if that fails or writing is forbidden.
@@ -20,8 +21,8 @@ class ScratchFolder {
   /// The path at which to write what will become `target`.
   [[nodiscard]] std::string draft() const;
 
-  /// Moves all files of the folder beside the target, replacing older ones. The target itself is moved last, so that
-  /// all files are there once it is. Throws IoError.
+  /// Moves all files of the folder beside the target, replacing older ones. The target itself is
+  /// moved last, so that all files are there once it is. Throws IoError.
   void publish() const;
 
  private:

@@ -90,7 +90,8 @@ OGRSpatialReference undefined_plane() {
 
 Crs crs_of(const OGRSpatialReference* reference) {
   if (reference == nullptr) return {};
-  // GeoPackage names two undefined systems, and GDAL writes the geographic one whatever the coordinates are.
+  // GeoPackage names two undefined systems, and GDAL writes the geographic one whatever the
+  // coordinates are.
   const char* const name = reference->GetName();
   if (name != nullptr && std::string_view(name).starts_with("Undefined ")) return {};
   const QuietGdal quiet;

@@ -17,13 +17,13 @@ struct PolygonOutline {
   Crs crs;
 };
 
-/// The convex hull of points in plan, counter-clockwise, without points on its sides; fewer than three points if all lie on
-/// one line.
+/// The convex hull of points in plan, counter-clockwise, without points on its sides; fewer than
+/// three points if all lie on one line.
 std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points);
 
-/// Reads the polygons of all layers of a GeoPackage, GeoJSON or Shapefile; other geometries are passed over.
-/// Throws IoError if the file cannot be read, has no polygon with an area, has layers in different reference systems or
-/// coordinates that are not finite.
+/// Reads the polygons of all layers of a GeoPackage, GeoJSON or Shapefile; other geometries are
+/// passed over. Throws IoError if the file cannot be read, has no polygon with an area, has layers
+/// in different reference systems or coordinates that are not finite.
 PolygonOutline read_polygon_outline(const std::string& path);
 
 }  // namespace ridgeline::io

@@ -17,9 +17,9 @@ struct SurfaceHeights {
   Crs crs;
 };
 
-/// Reads the cells of a GeoTIFF or ASCII grid whose middles lie within the bounds (units of its reference system), at most
-/// about four million of them, evenly spread. Throws IoError if the file cannot be read, has no georeference or one that is
-/// turned, or has no height within the bounds.
+/// Reads the cells of a GeoTIFF or ASCII grid whose middles lie within the bounds (units of its
+/// reference system), at most about four million of them, evenly spread. Throws IoError if the file
+/// cannot be read, has no georeference or one that is turned, or has no height within the bounds.
 SurfaceHeights read_surface_heights(const std::string& path, const Eigen::AlignedBox2d& bounds);
 
 }  // namespace ridgeline::io

@@ -28,7 +28,8 @@ Window whole_of(int width_px, int height_px) { return {0, 0, width_px, height_px
 
 double pixels_of(const Window& window) { return double(window.width) * window.height; }
 
-/// The window of an image that is wanted, in stored pixels. Throws IoError if it is not within the image.
+/// The window of an image that is wanted, in stored pixels. Throws IoError if it is not within the
+/// image.
 Window wanted(const std::string& path, const ImageFacts& facts, const ImageReading& reading) {
   const bool swaps = swaps_axes(reading.turn);
   const int width = swaps ? facts.height_px : facts.width_px;
@@ -68,7 +69,8 @@ class OpenImage {
 
   [[nodiscard]] const ImageFacts& facts() const { return facts_; }
 
-  /// The pixels of a window whose sides are multiples of `factor`, each the mean of `factor` x `factor`.
+  /// The pixels of a window whose sides are multiples of `factor`, each the mean of `factor` x
+  /// `factor`.
   [[nodiscard]] cv::Mat pixels(const Window& window, int factor = 1) const {
     const int depth = facts_.bits == 8 ? CV_8U : CV_16U;
     cv::Mat image(window.height / factor, window.width / factor,
@@ -143,8 +145,8 @@ class OpenImage {
     return valid;
   }
 
-  /// The number of rows of which each is decoded after those before it: all of PNG and JPEG, those of a compressed strip, which
-  /// GDAL may call blocks of one row.
+  /// The number of rows of which each is decoded after those before it: all of PNG and JPEG, those
+  /// of a compressed strip, which GDAL may call blocks of one row.
   [[nodiscard]] std::optional<int> rows_in_sequence() const {
     constexpr std::uint64_t kUncompressed = 1;
     if (facts_.format == "PNG" || facts_.format == "JPEG") return facts_.height_px;
@@ -175,8 +177,8 @@ class OpenImage {
     return places;
   }
 
-  /// The first pixel of block i of n in a row of blocks. It is a multiple of the blocks' side, so that a block lies in one
-  /// tile of a file, whose sides are multiples of it, too.
+  /// The first pixel of block i of n in a row of blocks. It is a multiple of the blocks' side, so
+  /// that a block lies in one tile of a file, whose sides are multiples of it, too.
   static int place(int i, int n, int size_px) {
     const int first = static_cast<int>((i + 0.5) / n * size_px) - kSampleBlock_px / 2;
     return std::max(0, first / kSampleBlock_px * kSampleBlock_px);

@@ -9,7 +9,8 @@
 
 namespace ridgeline::io {
 
-/// How the stored pixels have to be turned to stand upright: the values of the tag Orientation of TIFF 6.0 and EXIF.
+/// How the stored pixels have to be turned to stand upright: the values of the tag Orientation of
+/// TIFF 6.0 and EXIF.
 enum class ImageTurn : std::uint8_t {
   kNone = 1,
   kFlipColumns = 2,

@@ -54,7 +54,8 @@ CPLErr write_pixels(GDALDataset& dataset, int first_row, const cv::Mat& rows) {
       static_cast<GSpacing>(rows.step[0]), static_cast<GSpacing>(rows.elemSize1()), nullptr);
 }
 
-/// Writes what GDAL keeps of the pixels and forgets it. GDALDataset::FlushCache() would write the header anew too.
+/// Writes what GDAL keeps of the pixels and forgets it. GDALDataset::FlushCache() would write the
+/// header anew too.
 CPLErr flush_pixels(GDALDataset& dataset) {
   for (int band = 1; band <= dataset.GetRasterCount(); ++band) {
     if (dataset.GetRasterBand(band)->FlushCache(false) != CE_None) return CE_Failure;

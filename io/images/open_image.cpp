@@ -19,7 +19,8 @@ namespace {
 constexpr std::array<std::pair<const char*, const char*>, 3> kOptions{{
     // a JPEG that ends early is grey from there on; libjpeg calls that a warning
     {"GDAL_ERROR_ON_LIBJPEG_WARNING", "TRUE"},
-    // Files beside an image, such as .aux.xml, were not given by the user, so none is read and none is left behind.
+    // Files beside an image, such as .aux.xml, were not given by the user, so none is read and none
+    // is left behind.
     {"GDAL_PAM_ENABLED", "NO"},
     {"GDAL_DISABLE_READDIR_ON_OPEN", "EMPTY_DIR"},
 }};
@@ -88,7 +89,8 @@ GDALDatasetUniquePtr ImageSession::open(const std::string& path) const {
     throw IoError(path, "is a device, pipe or socket; an image must be a file");
   }
   register_gdal_drivers();
-  // Only these drivers are used, as others of GDAL follow references to more files and to addresses.
+  // Only these drivers are used, as others of GDAL follow references to more files and to
+  // addresses.
   const char* const drivers[] = {"GTiff", "PNG", "JPEG", "JP2OpenJPEG", nullptr};
   GDALDatasetUniquePtr dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));

@@ -7,7 +7,8 @@
 namespace ridgeline::io {
 namespace {
 
-/// Reads whole numbers of a TIFF (Adobe: TIFF, Revision 6.0, 1992, section 2) or BigTIFF in the byte order of the file.
+/// Reads whole numbers of a TIFF (Adobe: TIFF, Revision 6.0, 1992, section 2) or BigTIFF in the
+/// byte order of the file.
 class TiffBytes {
  public:
   explicit TiffBytes(const std::string& path) : file_(path, std::ios::binary) {

@@ -9,8 +9,8 @@
 
 namespace ridgeline::io {
 
-/// What a folder is by the names of what lies in it: results of the program, patches, LIMAP's tracks, a model of COLMAP,
-/// else how many clouds, images and line files. Nothing is opened.
+/// What a folder is by the names of what lies in it: results of the program, patches, LIMAP's
+/// tracks, a model of COLMAP, else how many clouds, images and line files. Nothing is opened.
 FileKind kind_of_folder(const std::filesystem::path& folder);
 
 /// The patch.yaml of a folder, or those of its subfolders, sorted.

@@ -7,8 +7,8 @@
 
 namespace ridgeline::io {
 
-/// The kind that the first bytes of a file state by a mark of its format; kUnknown without such a mark. `start` must
-/// not begin with a byte order mark of UTF-8.
+/// The kind that the first bytes of a file state by a mark of its format; kUnknown without such a
+/// mark. `start` must not begin with a byte order mark of UTF-8.
 FileKind kind_by_mark(std::string_view start);
 
 /// What files with such an extension (".gml", lower case) hold; kUnknown if that is not known.

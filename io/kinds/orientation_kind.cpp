@@ -45,8 +45,8 @@ bool is_pat_b(std::span<const TextRow> rows) {
   return true;
 }
 
-/// A row of a table without names of columns: a name that is no number, perhaps with blanks, six numbers and perhaps a
-/// camera.
+/// A row of a table without names of columns: a name that is no number, perhaps with blanks, six
+/// numbers and perhaps a camera.
 bool is_opk_row(std::string_view row) {
   constexpr int kNumbers = 6;
   const std::vector<std::string> fields = table_fields(row, separator_of(row));

@@ -19,7 +19,8 @@ enum class OrientationFormat : std::uint8_t {
   kMetashape,
 };
 
-/// The format of an orientation by the beginning of its file, without a byte order mark; nothing if it is none.
+/// The format of an orientation by the beginning of its file, without a byte order mark; nothing if
+/// it is none.
 std::optional<OrientationFormat> orientation_format(std::string_view start);
 
 /// "an orientation of images (OpenSfM)".

@@ -30,7 +30,8 @@ bool holds(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-/// Whether the file is the program's own report, which is a web page like any other but for its mark.
+/// Whether the file is the program's own report, which is a web page like any other but for its
+/// mark.
 bool is_report(std::string_view start) {
   return start.starts_with("<!doctype html>") && holds(start, "content=\"ridgeline\"");
 }
@@ -63,8 +64,8 @@ FileKind kind_by_bytes(std::string_view start) {
   return kind;
 }
 
-/// Lets the name decide where it tells more: the index of a Shapefile begins as a Shapefile does, and a sequence of
-/// JSON as GeoJSON.
+/// Lets the name decide where it tells more: the index of a Shapefile begins as a Shapefile does,
+/// and a sequence of JSON as GeoJSON.
 FileKind with_name(const FileKind& kind, std::string_view extension) {
   constexpr std::array kExact{".shx", ".geojsonl", ".geojsons", ".ndjson", ".jsonl"};
   const bool is_exact = std::ranges::find(kExact, extension) != kExact.end();
@@ -81,7 +82,8 @@ struct Reader {
   const char* rule;
 };
 
-// Numbers without names of columns are left to the readers of tables, which name the missing column.
+// Numbers without names of columns are left to the readers of tables, which name the missing
+// column.
 constexpr std::array kReaders{
     Reader{
         Expected::kLines,
@@ -144,13 +146,15 @@ const Reader& reader_of(Expected expected) {
   return *std::ranges::find(kReaders, expected, &Reader::expected);
 }
 
-/// The ending that stands for all endings of the same reader, which tells by the content what is in the file.
+/// The ending that stands for all endings of the same reader, which tells by the content what is in
+/// the file.
 std::string_view reader_ending(std::string_view extension) {
   if (extension == ".json") return ".geojson";
   return extension == ".wkt" || extension == ".txt" ? ".csv" : extension;
 }
 
-/// Throws IoError if the name has another ending than its content needs, as lines are read by the ending.
+/// Throws IoError if the name has another ending than its content needs, as lines are read by the
+/// ending.
 void refuse_wrong_ending(const std::string& path, const FileKind& kind) {
   const std::string extension = extension_in(path);
   const bool fits = kind.ending.empty() || reader_ending(kind.ending) == reader_ending(extension);

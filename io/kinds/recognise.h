@@ -38,15 +38,16 @@ FileKind kind_of_content(std::string_view content, const std::string& path);
 /// What a file or folder is, told by its content and name.
 FileKind kind_of_path(const std::string& path);
 
-/// The text of the IoError for such a file: "is a LAS point cloud, not a patch file (patch.yaml); give it as
+/// The text of the IoError for such a file: "is a LAS point cloud, not a patch file (patch.yaml);
+/// give it as
 /// --cloud".
 std::string refusal(const FileKind& kind, Expected expected);
 
-/// Throws IoError if the content is known to be of another kind than is expected. What is unknown or empty is left to its
-/// reader, which knows the rule that it breaks.
+/// Throws IoError if the content is known to be of another kind than is expected. What is unknown
+/// or empty is left to its reader, which knows the rule that it breaks.
 void refuse_other_kind(const std::string& path, std::string_view content, Expected expected);
-/// Throws IoError if a file or folder is known to be of another kind than is expected. No more than its beginning is
-/// read.
+/// Throws IoError if a file or folder is known to be of another kind than is expected. No more than
+/// its beginning is read.
 void refuse_other_kind(const std::string& path, Expected expected);
 
 }  // namespace ridgeline::io

@@ -72,7 +72,8 @@ FileKind kind_of_result(const TopKeys& keys) {
   return {};
 }
 
-/// The kind of a file that users write: the one of which it has the most keys, as single keys may be wrong.
+/// The kind of a file that users write: the one of which it has the most keys, as single keys may
+/// be wrong.
 FileKind kind_of_settings(const TopKeys& keys) {
   if (keys.has("block") || (keys.has("lines") && keys.has("lidar")))
     return ours(kBlock, "a block file");

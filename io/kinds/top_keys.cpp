@@ -10,7 +10,8 @@
 namespace ridgeline::io {
 namespace {
 
-/// Walks over braces, quotes, colons and commas; only what lies directly in the outermost braces counts.
+/// Walks over braces, quotes, colons and commas; only what lies directly in the outermost braces
+/// counts.
 class FlowKeys {
  public:
   TopKeys read(std::string_view text) {

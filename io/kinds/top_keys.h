@@ -15,8 +15,8 @@ struct TopKeys {
   [[nodiscard]] bool has(std::string_view name) const;
 };
 
-/// The outermost keys of JSON, or of YAML in either style. Nothing is checked: the text may be cut, or of another
-/// format.
+/// The outermost keys of JSON, or of YAML in either style. Nothing is checked: the text may be cut,
+/// or of another format.
 TopKeys top_keys(std::string_view text);
 
 }  // namespace ridgeline::io

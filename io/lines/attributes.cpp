@@ -141,8 +141,8 @@ void clear_attribute(std::string_view name, Line& line) {
   }
 }
 
-/// The place without the path, as warnings begin with it: "feature 3" of "lines.geojson: feature 3", "row 4" of
-/// "lines.csv:4".
+/// The place without the path, as warnings begin with it: "feature 3" of "lines.geojson: feature
+/// 3", "row 4" of "lines.csv:4".
 std::string place_in_file(std::string_view where, std::string_view path) {
   if (where.starts_with(path)) where.remove_prefix(path.size());
   if (where.starts_with(": ")) return std::string(where.substr(2));

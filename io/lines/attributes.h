@@ -37,18 +37,19 @@ struct NumberAttribute {
 };
 std::span<const NumberAttribute> number_attributes();
 
-/// Reads the attributes that the features of a file state. Names may have any case; unknown ones are passed over.
-/// Numbers may be given as text, arrays as JSON text (formats without arrays). The covariance is 6x6 or 36 numbers;
-/// without it `sigma_start_m` and `sigma_end_m` make a diagonal one. A column with our name but values of another
-/// shape belongs to another tool, so none of its values is used.
+/// Reads the attributes that the features of a file state. Names may have any case; unknown ones
+/// are passed over. Numbers may be given as text, arrays as JSON text (formats without arrays). The
+/// covariance is 6x6 or 36 numbers; without it `sigma_start_m` and `sigma_end_m` make a diagonal
+/// one. A column with our name but values of another shape belongs to another tool, so none of its
+/// values is used.
 class AttributeReader {
  public:
-  /// The attributes of a feature. Throws IoError naming `where`, the line and the value for a variance or sigma that
-  /// is negative or not finite.
+  /// The attributes of a feature. Throws IoError naming `where`, the line and the value for a
+  /// variance or sigma that is negative or not finite.
   Line line_of(const nlohmann::json& properties, const std::string& where);
 
-  /// Removes from the lines what was read from other tools' columns. A warning names each column with its first
-  /// misfit.
+  /// Removes from the lines what was read from other tools' columns. A warning names each column
+  /// with its first misfit.
   void finish(LineSet& set) const;
 
  private:

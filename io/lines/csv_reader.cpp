@@ -24,8 +24,8 @@ constexpr std::array<std::string_view, 5> kWktNames{"wkt", "geometry", "geom", "
 /// Stands in place of a separator if the row is one field.
 constexpr char kOneField = '\0';
 
-/// The separator of a row: the first of the list ; tab , | that stands outside quotes, else a blank if there are
-/// several words.
+/// The separator of a row: the first of the list ; tab , | that stands outside quotes, else a blank
+/// if there are several words.
 char separator_of(std::string_view row) {
   std::string unquoted;
   bool quoted = false;
@@ -163,7 +163,8 @@ bool is_header(const std::vector<std::string>& fields, char separator) {
   return separator != ' ' && separator != kOneField && wkt_column(names, {}).has_value();
 }
 
-/// The layout of a file. Comments before the first row are passed over; one that names the columns is the header.
+/// The layout of a file. Comments before the first row are passed over; one that names the columns
+/// is the header.
 Layout layout_of(const std::string& path, const std::vector<TextRow>& rows) {
   Layout layout;
   std::size_t i = 0;

@@ -25,8 +25,8 @@ struct FeatureGeometry {
   /// `others`.
   void add_polygon(std::vector<Vertices> polygon_rings);
   [[nodiscard]] bool has_lines() const { return !lines.empty(); }
-  /// Whether the geometry may give lines. Points alone make no line. A feature without anything stays in the set, as
-  /// a line without a place.
+  /// Whether the geometry may give lines. Points alone make no line. A feature without anything
+  /// stays in the set, as a line without a place.
   [[nodiscard]] bool may_be_line() const {
     return has_lines() || !polygons.empty() || others.empty();
   }
@@ -44,10 +44,11 @@ struct Feature {
   std::function<SparseRow()> values;  ///< gives what its columns hold; called if it becomes a line
 };
 
-/// Turns the features of a file of points, lines and polygons into lines. These are the lines that the file holds. If
-/// it holds no 3D line, they are the edges of its polygons with heights; an edge that neighbours share is taken once. If features are
-/// of several polygons, with walls among them, they are buildings, whose roofs give the lines (lines_of_model()).
-/// All else is counted in LineSet::left_out.
+/// Turns the features of a file of points, lines and polygons into lines. These are the lines that
+/// the file holds. If it holds no 3D line, they are the edges of its polygons with heights; an edge
+/// that neighbours share is taken once. If features are of several polygons, with walls among them,
+/// they are buildings, whose roofs give the lines (lines_of_model()). All else is counted in
+/// LineSet::left_out.
 class FeatureCollector {
  public:
   explicit FeatureCollector(LineSet& set) : set_(set) {}

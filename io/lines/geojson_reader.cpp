@@ -91,7 +91,8 @@ class GeoJsonReader {
     return document["type"].get<std::string>();
   }
 
-  /// Reads `crs`, which is of GeoJSON 2008. RFC 7946 dropped it in favour of degrees, which cannot be judged.
+  /// Reads `crs`, which is of GeoJSON 2008. RFC 7946 dropped it in favour of degrees, which cannot
+  /// be judged.
   void read_crs(const json& document) {
     const auto crs = document.find("crs");
     if (crs == document.end()) {
@@ -168,7 +169,8 @@ class GeoJsonReader {
     return vertices;
   }
 
-  /// JSON has no NaN, so tools write null, which is read as NaN. A missing z is read as NaN as well.
+  /// JSON has no NaN, so tools write null, which is read as NaN. A missing z is read as NaN as
+  /// well.
   static Eigen::Vector3d vertex_of(const json& position, const std::string& where) {
     if (!position.is_array() || position.size() < 2) {
       throw IoError(where, "position " + excerpt(position) + "; must be [x, y, z]");

@@ -73,7 +73,8 @@ std::string feature_text(const Line& line) {
                      properties_text(line), geometry_text(line.segment_in_world));
 }
 
-/// The name of a CRS: "urn:ogc:def:crs:EPSG::25832" if all parts are EPSG's, else the definition as it is.
+/// The name of a CRS: "urn:ogc:def:crs:EPSG::25832" if all parts are EPSG's, else the definition as
+/// it is.
 std::string crs_name(const Crs& crs) {
   const std::optional<OGRSpatialReference> reference = spatial_reference(crs);
   if (!reference) return crs.definition;
@@ -92,8 +93,8 @@ std::string crs_name(const Crs& crs) {
   return fmt::format("urn:ogc:def:crs,crs:EPSG::{},crs:EPSG::{}", *horizontal, *vertical);
 }
 
-/// The CRS, or the undefined plane for an unknown one. GDAL, and so QGIS, takes a file without `crs`, or with null,
-/// for degrees of WGS 84.
+/// The CRS, or the undefined plane for an unknown one. GDAL, and so QGIS, takes a file without
+/// `crs`, or with null, for degrees of WGS 84.
 Crs stated(const Crs& crs) {
   if (crs.known()) return crs;
   char* text = nullptr;

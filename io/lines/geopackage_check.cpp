@@ -114,8 +114,8 @@ std::vector<std::string> columns_of_table(sqlite3* database, const std::string& 
   return columns;
 }
 
-/// Throws IoError for a binary value that is larger than the file. SQLite answers length() from the row's head,
-/// without reading the value.
+/// Throws IoError for a binary value that is larger than the file. SQLite answers length() from the
+/// row's head, without reading the value.
 void refuse_large_values(sqlite3* database,
                          const std::string& path,
                          const std::string& table,

@@ -46,8 +46,8 @@ const Kind& kind_of_placeless(const Segment3& s) {
   return has_plan && has_nan(s) ? kinds::kFlatLine : kinds::kNonFiniteLine;
 }
 
-/// Whether our own tool gave the line no place and says so by its status. In other files the column may mean
-/// anything.
+/// Whether our own tool gave the line no place and says so by its status. In other files the column
+/// may mean anything.
 bool is_left_out(const Line& line) {
   constexpr std::array<std::string_view, 8> kReasons{
       "not_reconstructed", "horizontal",      "no_points",       "rank_deficient",

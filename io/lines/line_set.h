@@ -39,10 +39,12 @@ struct Line {
   std::string building;  ///< building id: the cluster of the bootstrap
   std::string status;
   std::string left_id, right_id;  ///< ids of its image segments
-  /// Ends of the image segments in the base and in the other image from which the line was made, ideal pixels. Right
-  /// segments in our own files may have been moved across their direction (compare_profiles()).
+  /// Ends of the image segments in the base and in the other image from which the line was made,
+  /// ideal pixels. Right segments in our own files may have been moved across their direction
+  /// (compare_profiles()).
   std::optional<Segment2> left_px, right_px;
-  /// All image segments of a line that was made from three images or more, in files [["IMAGE", x1, y1, x2, y2], ...].
+  /// All image segments of a line that was made from three images or more, in files [["IMAGE", x1,
+  /// y1, x2, y2], ...].
   std::vector<LineSighting> sightings;
   std::optional<double> epipolar_angle_deg;
   /// Share of the length of a true line that the base and the other image show, 0..1.
@@ -52,7 +54,8 @@ struct Line {
   /// Covariance of (start, end) in world axes, m^2.
   std::optional<Eigen::Matrix<double, 6, 6>> covariance_m2;
   std::vector<int> plane_ids;  ///< ids of the planes that a true line bounds
-  /// Id of its feature in the file: GDAL's feature id, an integer `id` of GeoJSON, else its place from 0.
+  /// Id of its feature in the file: GDAL's feature id, an integer `id` of GeoJSON, else its place
+  /// from 0.
   std::int64_t source_fid = 0;
   int part = 0;         ///< place in its feature, from 0
   int layer = 0;        ///< place in LineSet::layers
@@ -75,10 +78,11 @@ struct LineSet {
   std::shared_ptr<const BuildingModel> model = nullptr;
   /// Metres per coordinate unit by axis, where the CRS does not say.
   std::optional<Eigen::Vector3d> unit_m = std::nullopt;
-  /// Coordinates of the plan are divided by these to be metres on the ground, as those of the cloud.
+  /// Coordinates of the plan are divided by these to be metres on the ground, as those of the
+  /// cloud.
   Eigen::Vector2d plan_scale = Eigen::Vector2d::Ones();
-  /// A unit that the file names beside its coordinates, "millimetres"; no more than a hint, as most programs write the one
-  /// of their template ($INSUNITS of DXF).
+  /// A unit that the file names beside its coordinates, "millimetres"; no more than a hint, as most
+  /// programs write the one of their template ($INSUNITS of DXF).
   std::string stated_unit;
   /// Memory for lines that a reader may still add; see lines_for_file().
   std::size_t memory_left_bytes = std::numeric_limits<std::size_t>::max();

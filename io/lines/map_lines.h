@@ -18,9 +18,9 @@ struct MapLine {
   Segment3 segment_in_map{};  ///< in the units of the map
 };
 
-/// Visits the lines of a map that results::write_judged_map() made, or of a GeoPackage that write_lines() made, in their
-/// order. One line is held at a time. Features that are no segment are passed over.
-/// Throws IoError for a file that is missing or is no such map.
+/// Visits the lines of a map that results::write_judged_map() made, or of a GeoPackage that
+/// write_lines() made, in their order. One line is held at a time. Features that are no segment are
+/// passed over. Throws IoError for a file that is missing or is no such map.
 void for_each_map_line(const std::string& path, const std::function<void(const MapLine&)>& visit);
 
 }  // namespace ridgeline::io

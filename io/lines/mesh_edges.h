@@ -20,11 +20,12 @@ struct Mesh {
   std::vector<std::string> objects;  ///< for each polygon the name of its thing; empty without
 };
 
-/// Adds the edges of a mesh. If it has walls, faces steeper than 80 degrees, it is a model of buildings, whose roofs give the lines
-/// (lines_of_model()): its objects are the buildings, or without objects what hangs together, "1", "2", ...
-/// Of any other mesh each distinct edge is added once, in the order of first occurrence. Edges are the
-/// same if their end points have equal coordinates, in either direction: many models repeat the
-/// vertices for each face. Edges of zero length are left out, they bound nothing.
+/// Adds the edges of a mesh. If it has walls, faces steeper than 80 degrees, it is a model of
+/// buildings, whose roofs give the lines (lines_of_model()): its objects are the buildings, or
+/// without objects what hangs together, "1", "2", ... Of any other mesh each distinct edge is added
+/// once, in the order of first occurrence. Edges are the same if their end points have equal
+/// coordinates, in either direction: many models repeat the vertices for each face. Edges of zero
+/// length are left out, they bound nothing.
 void append_mesh(const Mesh& mesh, LineSet& set);
 
 }  // namespace ridgeline::io

@@ -24,7 +24,8 @@ struct ObjFile {
   std::vector<std::string> objects;  ///< of each face: the name of the last `o` or `g` record
 };
 
-/// A row together with the rows that continue it. A row that ends in a backslash continues on the next one.
+/// A row together with the rows that continue it. A row that ends in a backslash continues on the
+/// next one.
 struct LogicalRow {
   int number = 0;
   std::string text;
@@ -50,8 +51,8 @@ Eigen::Vector3d parse_vertex(const std::vector<std::string_view>& words, const s
   return {x[0], x[1], x[2]};
 }
 
-/// Reads the words `v`, `v/vt`, `v//vn` or `v/vt/vn` of a record. A negative index counts back from the last vertex
-/// so far.
+/// Reads the words `v`, `v/vt`, `v//vn` or `v/vt/vn` of a record. A negative index counts back from
+/// the last vertex so far.
 Record parse_indices(const std::vector<std::string_view>& words,
                      int row,
                      std::size_t n_vertices,
@@ -112,8 +113,8 @@ std::vector<IndexList> resolved(const std::vector<Record>& records,
   return lists;
 }
 
-/// Whether the file is ELSR's, which writes each segment as two vertices of its own, then records "l k k+1",
-/// "l k+2 k+3", ... that do not begin at 1.
+/// Whether the file is ELSR's, which writes each segment as two vertices of its own, then records
+/// "l k k+1", "l k+2 k+3", ... that do not begin at 1.
 bool has_shifted_pairs(const ObjFile& obj) {
   if (!obj.faces.empty() || obj.lines.empty() || obj.vertices.size() % 2 != 0) return false;
   const auto is_pair = [](const Record& record) {
@@ -126,8 +127,8 @@ bool has_shifted_pairs(const ObjFile& obj) {
   return obj.lines.front().indices[0] != 1;
 }
 
-/// Whether the `l` records repeat the faces. Each of TopoLAP's names the vertices of a face, without the closing
-/// edge.
+/// Whether the `l` records repeat the faces. Each of TopoLAP's names the vertices of a face,
+/// without the closing edge.
 bool lines_repeat_faces(const ObjFile& obj) {
   return obj.lines.size() == obj.faces.size() &&
          std::equal(obj.lines.begin(), obj.lines.end(), obj.faces.begin(),
@@ -156,7 +157,8 @@ double median_length(const std::vector<Line>& lines) {
   return *middle;
 }
 
-/// Drops segments that are not finite or far too long: ELSR leaves the failures of its triangulation in the file.
+/// Drops segments that are not finite or far too long: ELSR leaves the failures of its
+/// triangulation in the file.
 void drop_failed_segments(LineSet& set) {
   constexpr double kHugeRatio = 1000.0;  // far above any roof edge, in whatever unit
   const double limit = kHugeRatio * median_length(set.lines);

@@ -117,7 +117,8 @@ nlohmann::json properties_of(OGRFeature& feature) {
 /// The reference system of the layers that give lines.
 class LayersCrs {
  public:
-  /// Takes the system of one more layer. Throws IoError naming both layers if an earlier one states another system.
+  /// Takes the system of one more layer. Throws IoError naming both layers if an earlier one states
+  /// another system.
   void take(const std::string& path, const std::string& layer, const Crs& crs) {
     if (!crs.known()) return;
     if (crs_.known() && crs.definition != crs_.definition) {
@@ -177,8 +178,8 @@ class OgrReader {
         unread_, [&](const UnreadLayer& unread) { return lower_case(unread.name) == name; });
   }
 
-  /// The layers with geometries. Of several the one called `lines` alone is taken, as in our own maps, or of those of 3DBAG the one
-  /// of the level of detail that is wanted.
+  /// The layers with geometries. Of several the one called `lines` alone is taken, as in our own
+  /// maps, or of those of 3DBAG the one of the level of detail that is wanted.
   std::vector<OGRLayer*> feature_layers() {
     std::vector<OGRLayer*> layers;
     for (OGRLayer* layer : dataset_->GetLayers()) {
@@ -273,7 +274,8 @@ class OgrReader {
     if (CPLGetLastErrorType() == CE_Failure) throw IoError(path_, quiet_.complaints("is damaged"));
   }
 
-  /// Throws IoError for too many features, as records of a damaged file may lead to each other without end.
+  /// Throws IoError for too many features, as records of a damaged file may lead to each other
+  /// without end.
   void count_feature() {
     if (++number_ <= n_most_features_) return;
     throw IoError(path_, fmt::format("gives more than {} features; its size cannot hold them",

@@ -72,7 +72,8 @@ std::size_t index_list(const PlyElement& element) {
   return found;
 }
 
-/// The ends of an edge: vertex1 and vertex2, else the only two indices that it has, whatever their names.
+/// The ends of an edge: vertex1 and vertex2, else the only two indices that it has, whatever their
+/// names.
 std::array<std::size_t, 2> edge_ends(const PlyElement& element) {
   const std::array named{property_named(element, "vertex1"), property_named(element, "vertex2")};
   if (named[0] != PlyColumns::kNone && named[1] != PlyColumns::kNone) return named;

@@ -76,7 +76,8 @@ LineSet lines_for_file(const std::string& path, const std::string& format, std::
   set.path = path;
   set.format = format;
   set.memory_left_bytes = std::max(kMinMemory_bytes, kMaxGrowth * n_bytes);
-  // Memory is reserved at once, as growth would hold the lines twice. Pages that stay unused cost no memory.
+  // Memory is reserved at once, as growth would hold the lines twice. Pages that stay unused cost
+  // no memory.
   constexpr std::size_t kMaxReserved_bytes = 512U << 20U;
   set.lines.reserve(std::min(set.memory_left_bytes, kMaxReserved_bytes) / sizeof(Line));
   return set;

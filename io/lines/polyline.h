@@ -16,15 +16,16 @@ namespace ridgeline::io {
 /// it append_feature() throws IoError, as small files can repeat vertices and attributes endlessly.
 LineSet lines_for_file(const std::string& path, const std::string& format, std::size_t n_bytes);
 
-/// Throws IoError if the set has no room for so many lines. It is for readers that hold something for each line
-/// before they append it.
+/// Throws IoError if the set has no room for so many lines. It is for readers that hold something
+/// for each line before they append it.
 void refuse_more_lines(const LineSet& set, std::size_t n_lines);
 
-/// Adds one feature of a file to the set, with what its columns hold. `fid`: see Line::source_fid; it is the id
-/// where `attributes` has none. Vertices on a straight line do not divide it, see bends_of(). A feature with one
-/// segment keeps its id; the segments of a longer polyline (or of several parts) are "ID.0", "ID.1", ... with `parent_id` = ID. A part with one
-/// vertex is a segment of zero length, a feature without vertices a segment of NaN: both stay in
-/// the set, since a line that disappears would flatter its tool.
+/// Adds one feature of a file to the set, with what its columns hold. `fid`: see Line::source_fid;
+/// it is the id where `attributes` has none. Vertices on a straight line do not divide it, see
+/// bends_of(). A feature with one segment keeps its id; the segments of a longer polyline (or of
+/// several parts) are "ID.0", "ID.1", ... with `parent_id` = ID. A part with one vertex is a
+/// segment of zero length, a feature without vertices a segment of NaN: both stay in the set, since
+/// a line that disappears would flatter its tool.
 void append_feature(const Line& attributes,
                     const std::vector<Vertices>& parts,
                     std::int64_t fid,

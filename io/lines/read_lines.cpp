@@ -103,7 +103,8 @@ LineSet read_any(const std::string& path, const ReadLinesOptions& options) {
   refuse_by_extension(path, extension);
 }
 
-/// Throws IoError for a reference system that PROJ cannot read, as that is the file's fault and not the caller's.
+/// Throws IoError for a reference system that PROJ cannot read, as that is the file's fault and not
+/// the caller's.
 void check_stated_crs(const LineSet& set) {
   try {
     (void)describe(set.crs);

@@ -24,15 +24,15 @@ struct ReadLinesOptions {
 ///   GeoJSON, GeoPackage, Shapefile, DXF, WKT, CSV (x1,y1,z1,x2,y2,z2 or a WKT column), OBJ and PLY
 ///   (edges, else the edges of faces), Line3D++ .txt, LIMAP alltracks.txt and track_K.txt (or their
 ///   folder), ELSR .obj and ELSR++ spaceLines.txt.
-/// The lines of a model of buildings (CityJSON, CityGML) are the edges of its roofs, see lines_of_model(); its content tells
-/// that it is one. Lines in collections are read, too. If a file holds polygons with heights and no 3D line, their edges are the
-/// lines.
-/// Lines keep the file's order and ids, which are made unique; polylines become segments "ID.0", "ID.1", ... between their
-/// bends. A line with coordinates that are not finite stays in the set. What deserves attention is in `warnings`, and what
-/// the file holds beside lines is counted there. No lines at all is a valid file.
-/// Throws IoError for a file that cannot be read, or that holds no 3D lines but other things, which the message
-/// counts. Formats that cannot carry what a judgement needs are refused by name: Line3D++ .bin, LIMAP .npy,
-/// Shapefiles without z, coordinates in degrees.
+/// The lines of a model of buildings (CityJSON, CityGML) are the edges of its roofs, see
+/// lines_of_model(); its content tells that it is one. Lines in collections are read, too. If a
+/// file holds polygons with heights and no 3D line, their edges are the lines. Lines keep the
+/// file's order and ids, which are made unique; polylines become segments "ID.0", "ID.1", ...
+/// between their bends. A line with coordinates that are not finite stays in the set. What deserves
+/// attention is in `warnings`, and what the file holds beside lines is counted there. No lines at
+/// all is a valid file. Throws IoError for a file that cannot be read, or that holds no 3D lines
+/// but other things, which the message counts. Formats that cannot carry what a judgement needs are
+/// refused by name: Line3D++ .bin, LIMAP .npy, Shapefiles without z, coordinates in degrees.
 LineSet read_lines(const std::string& path, const ReadLinesOptions& options = {});
 
 }  // namespace ridgeline::io

@@ -93,7 +93,8 @@ std::optional<long> track_number(const std::filesystem::path& path) {
   return to_integer(std::string_view(stem).substr(6));
 }
 
-/// The number of cameras of each line, from cams.txt beside ELSR++'s spaceLines.txt; empty if that file is not there.
+/// The number of cameras of each line, from cams.txt beside ELSR++'s spaceLines.txt; empty if that
+/// file is not there.
 std::vector<int> images_per_line(const std::filesystem::path& space_lines) {
   const std::filesystem::path cameras = space_lines.parent_path() / "cams.txt";
   if (!std::filesystem::exists(cameras)) return {};

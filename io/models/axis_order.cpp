@@ -14,7 +14,8 @@
 namespace ridgeline::io {
 namespace {
 
-/// The median of one coordinate over the first vertices of the faces, which a few stray faces do not move.
+/// The median of one coordinate over the first vertices of the faces, which a few stray faces do
+/// not move.
 double median_of(const BuildingModel& model, int axis) {
   std::vector<double> values;
   values.reserve(model.faces.size());

@@ -11,14 +11,15 @@
 
 namespace ridgeline::io {
 
-/// Fills a table with what a file states of its buildings, one row each. A value whose name a building has already had is
-/// left out.
+/// Fills a table with what a file states of its buildings, one row each. A value whose name a
+/// building has already had is left out.
 class BuildingAttributes {
  public:
   explicit BuildingAttributes(AttributeTable& table) : table_(table) {}
 
   void begin_row();
-  /// Adds a value to the row that has begun. Numbers that are none are kept as text; empty names and words are left out.
+  /// Adds a value to the row that has begun. Numbers that are none are kept as text; empty names
+  /// and words are left out.
   void add(std::string_view name, std::string_view word, ColumnType type);
 
  private:

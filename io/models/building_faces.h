@@ -30,17 +30,18 @@ struct OpenReference {
   SurfaceKind kind = SurfaceKind::kUnknown;
 };
 
-/// Appends the faces of the last building of a model, and gives the building its level of detail. Each polygon becomes
-/// one face at most: thematic surfaces come first, and solids add what these do not hold. A polygon of a solid that repeats
-/// the outline of a face of the same part is left out. `open` takes references to what is not in the building.
+/// Appends the faces of the last building of a model, and gives the building its level of detail.
+/// Each polygon becomes one face at most: thematic surfaces come first, and solids add what these
+/// do not hold. A polygon of a solid that repeats the outline of a face of the same part is left
+/// out. `open` takes references to what is not in the building.
 void append_faces(const GmlSurfaces& surfaces,
                   const std::vector<GeometryProperty>& properties,
                   const ReadModelOptions& options,
                   BuildingModel& model,
                   std::vector<OpenReference>& open);
 
-/// Copies the faces of other buildings that `open` names, after all buildings were read, and counts the references that
-/// name nothing.
+/// Copies the faces of other buildings that `open` names, after all buildings were read, and counts
+/// the references that name nothing.
 void resolve(const std::vector<OpenReference>& open, BuildingModel& model);
 
 }  // namespace ridgeline::io

@@ -49,8 +49,8 @@ struct BuildingModel {
 };
 
 struct ReadModelOptions {
-  /// The level of detail that is read: "2.2", or "2" for the highest one of 2.x. If empty, each building has the highest one that
-  /// it is given in, up to 3.x.
+  /// The level of detail that is read: "2.2", or "2" for the highest one of 2.x. If empty, each
+  /// building has the highest one that it is given in, up to 3.x.
   std::string lod;
 };
 

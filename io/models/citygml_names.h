@@ -39,7 +39,8 @@ std::optional<int> lod_of(std::string_view local);
 /// What a geometry of a building is by its property: the ground for a footprint.
 SurfaceKind kind_of_geometry(std::string_view local);
 
-/// What a thematic surface is: kRoof for "RoofSurface", kOther for those that are neither roof nor wall nor ground.
+/// What a thematic surface is: kRoof for "RoofSurface", kOther for those that are neither roof nor
+/// wall nor ground.
 SurfaceKind kind_of_surface(std::string_view local);
 
 /// The type of what a generic attribute holds: "intAttribute" and "IntAttribute" are integers.

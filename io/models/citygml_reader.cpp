@@ -26,7 +26,8 @@ constexpr Kind kImplicitGeometry{"implicit geometry", "implicit geometries"};
 constexpr Kind kCurveOfBuilding{"curve of a building", "curves of buildings"};
 constexpr Kind kAddressPoint{"address point", "address points"};
 
-/// What an element is to the reader. The role of an element follows from its name and the role of its parent.
+/// What an element is to the reader. The role of an element follows from its name and the role of
+/// its parent.
 enum class ElementRole : std::uint8_t {
   kDocument,
   kModel,

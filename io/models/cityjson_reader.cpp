@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// CityJSON 1.0, 1.1 and 2.0 (https://www.cityjson.org/specs), one document or a sequence of features.
+// CityJSON 1.0, 1.1 and 2.0 (https://www.cityjson.org/specs), one document or a sequence of
+// features.
 #include "io/error.h"
 #include "io/gdal/json_columns.h"
 #include "io/models/cityjson_text.h"
@@ -84,7 +85,8 @@ SurfaceKind kind_of_surface(const std::string& type) {
   return SurfaceKind::kOther;
 }
 
-/// How deep the list of rings of one face lies in `boundaries`, "MultiSurface" 1; none for a geometry without surfaces.
+/// How deep the list of rings of one face lies in `boundaries`, "MultiSurface" 1; none for a
+/// geometry without surfaces.
 std::optional<int> depth_of_faces(const std::string& type) {
   static const std::map<std::string, int> depths{{"MultiSurface", 1},
                                                  {"CompositeSurface", 1},
@@ -139,7 +141,8 @@ class ObjectReader {
     return buildings;
   }
 
-  /// The building that an object is a part of, over any number of parts; the object itself if it is no part.
+  /// The building that an object is a part of, over any number of parts; the object itself if it is
+  /// no part.
   static std::string root_of(const std::string& id, const json& objects) {
     constexpr int kMaxDepth = 16;  // parts that are parts of themselves have no root
     std::string root = id;

@@ -12,7 +12,8 @@
 namespace ridgeline::io {
 namespace {
 
-/// A point inside of a face that is not vertical: the middle of the widest stretch of a level cut through the middle of its ring.
+/// A point inside of a face that is not vertical: the middle of the widest stretch of a level cut
+/// through the middle of its ring.
 std::optional<Eigen::Vector3d> inner_point(const ModelFace& face, const Plane3& plane) {
   const auto [low, high] =
       std::ranges::minmax(face.rings.front(), {}, [](const Eigen::Vector3d& x) { return x.y(); });

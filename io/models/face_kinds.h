@@ -7,7 +7,8 @@
 
 namespace ridgeline::io {
 
-/// Gives the faces of a building that are unknown a kind by geometry, see settle(). All must have a plane.
+/// Gives the faces of a building that are unknown a kind by geometry, see settle(). All must have a
+/// plane.
 void state_kinds(std::span<ModelFace> faces);
 
 }  // namespace ridgeline::io

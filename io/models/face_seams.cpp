@@ -148,7 +148,8 @@ class Seams {
       faces.insert(place, face);
   }
 
-  /// Adds pieces behind the last node of the chain while they run straight on between the same faces.
+  /// Adds pieces behind the last node of the chain while they run straight on between the same
+  /// faces.
   void prolong(std::size_t first, std::vector<std::size_t>& chain) {
     for (bool is_longer = true; is_longer;) {
       is_longer = false;

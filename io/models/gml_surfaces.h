@@ -29,7 +29,8 @@ struct SurfaceRange {
   std::size_t first = 0, end = 0;
 };
 
-/// Numbers between blanks or commas in a text that comes in pieces. Throws by `fail` what is no finite number.
+/// Numbers between blanks or commas in a text that comes in pieces. Throws by `fail` what is no
+/// finite number.
 class NumberText {
  public:
   using Fail = std::function<void(const std::string& message)>;
@@ -47,14 +48,16 @@ class NumberText {
   std::vector<double> numbers_;
 };
 
-/// Collects the polygons in the geometries of one building: of solids, shells, (composite, oriented, triangulated)
-/// surfaces and what else holds polygons.
+/// Collects the polygons in the geometries of one building: of solids, shells, (composite,
+/// oriented, triangulated) surfaces and what else holds polygons.
 class GmlSurfaces {
  public:
-  /// Counts in `left_out` what is no face: polygons without heights and those of fewer than three vertices.
+  /// Counts in `left_out` what is no face: polygons without heights and those of fewer than three
+  /// vertices.
   GmlSurfaces(const XmlStream& stream, KindCounts& left_out);
 
-  // An element of a geometry begins, has text, and ends. Each throws IoError for coordinates that are none.
+  // An element of a geometry begins, has text, and ends. Each throws IoError for coordinates that
+  // are none.
   void start(const XmlName& name, const XmlAttributes& attributes);
   void text(std::string_view piece);
   void end();

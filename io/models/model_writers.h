@@ -23,8 +23,8 @@ EpsgCodes epsg_codes_of(const Crs& crs);
 /// A coordinate in whole thousandths, which the formats share.
 long long in_thousandths(double coordinate);
 
-/// Whether the faces are the surface of bodies: each edge of a ring, in thousandths, has its one counterpart that runs
-/// the other way.
+/// Whether the faces are the surface of bodies: each edge of a ring, in thousandths, has its one
+/// counterpart that runs the other way.
 bool are_closed(std::span<const ModelFace> faces);
 
 /// "RoofSurface" etc.; null for kUnknown.

@@ -8,8 +8,9 @@
 
 namespace ridgeline::io {
 
-// One reader per format. Each throws IoError for a file that cannot be read, or that is not whole, and counts in
-// BuildingModel::left_out what is no face of a building. Faces are as the file has them, whether or not they make sense.
+// One reader per format. Each throws IoError for a file that cannot be read, or that is not whole,
+// and counts in BuildingModel::left_out what is no face of a building. Faces are as the file has
+// them, whether or not they make sense.
 
 /// CityJSON 1.0 to 2.0, one document or a sequence of features (CityJSONSeq).
 BuildingModel read_cityjson(const std::string& path,

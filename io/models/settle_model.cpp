@@ -53,8 +53,8 @@ void drop_faces_without_area(BuildingModel& model) {
     std::erase_if(face.rings, [](const Ring& ring) { return !has_area(ring); });
 }
 
-/// Leaves one of the faces of a building with the same outline, as a solid and a multi-surface of one level have: the first that
-/// states what it is.
+/// Leaves one of the faces of a building with the same outline, as a solid and a multi-surface of
+/// one level have: the first that states what it is.
 void drop_repeats(BuildingModel& model) {
   std::map<std::pair<std::size_t, Outline>, std::size_t> kept_at;
   std::vector<ModelFace> kept;

@@ -44,7 +44,8 @@ std::string_view last_digits(std::string_view text) {
   return last_other == std::string_view::npos ? text : text.substr(last_other + 1);
 }
 
-/// The codes in a name of any form: what stands last in each part that names EPSG, and a number behind a "+".
+/// The codes in a name of any form: what stands last in each part that names EPSG, and a number
+/// behind a "+".
 std::vector<std::string> epsg_codes(std::string_view name) {
   std::vector<std::string> codes;
   for (const std::string_view piece : pieces_of(name, ",&;+")) {

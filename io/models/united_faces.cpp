@@ -21,7 +21,8 @@ using Corner = std::array<double, 3>;
 
 Corner corner_of(const Eigen::Vector3d& x) { return {x.x(), x.y(), x.z()}; }
 
-/// The closed rings that segments make, which share their ends exactly; nothing if some corner has not two of them.
+/// The closed rings that segments make, which share their ends exactly; nothing if some corner has
+/// not two of them.
 std::optional<std::vector<Ring>> rings_of(const std::vector<Segment3>& border) {
   std::map<Corner, std::vector<std::size_t>> at_corner;
   for (std::size_t i = 0; i < border.size(); ++i) {
@@ -66,8 +67,8 @@ std::optional<ModelFace> united(const std::vector<ModelFace>& pieces) {
   return face;
 }
 
-/// For each face the number of the first one of its plane that it hangs together with. The first ones are compared, so
-/// that the strips of a vault do not become one face, strip by strip.
+/// For each face the number of the first one of its plane that it hangs together with. The first
+/// ones are compared, so that the strips of a vault do not become one face, strip by strip.
 std::vector<std::size_t> regions_of(const std::vector<ModelFace>& faces) {
   constexpr double kFlat_rad = 0.5 * kRadPerDeg;  // whole mm turn a face of 0.2 m by that
   const auto normals = transformed(faces, [](const ModelFace& face) {

@@ -82,7 +82,8 @@ std::string_view XmlAttributes::value(std::string_view local, std::string_view s
   return {};
 }
 
-/// Expat's parser. Its callbacks must not throw, as expat is C: what they throw is kept until the parser has returned.
+/// Expat's parser. Its callbacks must not throw, as expat is C: what they throw is kept until the
+/// parser has returned.
 struct XmlStream::Parser {
   Parser(const std::string& file, XmlEvents handlers)
       : path(file), events(std::move(handlers)), expat(XML_ParserCreateNS(nullptr, kSpaceEnd)) {

@@ -8,7 +8,8 @@
 
 namespace ridgeline::io {
 
-/// The name of an element or an attribute: its namespace, not the prefix that a file gives it, and its local name.
+/// The name of an element or an attribute: its namespace, not the prefix that a file gives it, and
+/// its local name.
 struct XmlName {
   std::string_view space, local;
 };
@@ -18,7 +19,8 @@ class XmlAttributes {
  public:
   explicit XmlAttributes(const char* const* pairs) : pairs_(pairs) {}
 
-  /// The value of an attribute without a namespace, or of one whose namespace begins with `space`; empty if there is none.
+  /// The value of an attribute without a namespace, or of one whose namespace begins with `space`;
+  /// empty if there is none.
   [[nodiscard]] std::string_view value(std::string_view local, std::string_view space = {}) const;
 
  private:
@@ -32,10 +34,10 @@ struct XmlEvents {
   std::function<void()> end;
 };
 
-/// An XML file, read piece by piece, also if it is compressed by gzip: its first bytes tell, not its name. What would
-/// take memory or time out of proportion is refused: a DOCTYPE, and with it all entities of the file, elements that lie
-/// more than 200 deep within each other, tags and comments of more than 4 MiB, and more than 100 bytes of text for each
-/// byte of a compressed file.
+/// An XML file, read piece by piece, also if it is compressed by gzip: its first bytes tell, not
+/// its name. What would take memory or time out of proportion is refused: a DOCTYPE, and with it
+/// all entities of the file, elements that lie more than 200 deep within each other, tags and
+/// comments of more than 4 MiB, and more than 100 bytes of text for each byte of a compressed file.
 class XmlStream {
  public:
   XmlStream(const std::string& path, XmlEvents events);
@@ -43,7 +45,8 @@ class XmlStream {
   XmlStream(const XmlStream&) = delete;
   XmlStream& operator=(const XmlStream&) = delete;
 
-  /// Reads the whole file. Throws IoError if it cannot be read or is no whole XML document, and whatever an event throws.
+  /// Reads the whole file. Throws IoError if it cannot be read or is no whole XML document, and
+  /// whatever an event throws.
   void read();
 
   /// `path:line` of the event that is reported.

@@ -17,8 +17,8 @@
 namespace ridgeline::io {
 namespace {
 
-/// Where the axes x and y of the camera point in the image; z completes them to a right-handed system, so that it
-/// points forwards or backwards.
+/// Where the axes x and y of the camera point in the image; z completes them to a right-handed
+/// system, so that it points forwards or backwards.
 struct CameraAxes {
   std::string_view name;
   Eigen::Vector2i x, y;  ///< in the image: right and UP

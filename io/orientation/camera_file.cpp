@@ -53,7 +53,8 @@ InteriorOrientation metric_camera(const std::string& path, const YAML::Node& nod
   }
 }
 
-/// Focal length and sensor have one unit; without a sensor the focal length is in units of the longer side.
+/// Focal length and sensor have one unit; without a sensor the focal length is in units of the
+/// longer side.
 Eigen::Vector2d focal_length_px(const YamlMap& map, const Eigen::Vector2d& size_px) {
   const Eigen::Vector2d focal = pair_of(map, "focal_len");
   if (!map.has("sensor_size")) return focal * size_px.maxCoeff();
@@ -83,7 +84,8 @@ InteriorOrientation scaled_camera(const std::string& path, const YAML::Node& nod
   return interior;
 }
 
-/// Whether a camera is of a kind whose other keys are not known. Its type is refused before its keys are.
+/// Whether a camera is of a kind whose other keys are not known. Its type is refused before its
+/// keys are.
 bool has_other_type(const YAML::Node& node) {
   return node.IsMap() && node["type"] && node["type"].IsScalar() &&
          node["type"].Scalar() != "pinhole" && node["type"].Scalar() != "brown";

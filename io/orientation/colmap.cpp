@@ -87,8 +87,8 @@ const InteriorOrientation& camera_of(const Cameras& cameras,
   return it->second;
 }
 
-/// Rows of a text file that are no comments, one after another, so that files of any size take little memory. Blank ones
-/// count, as an image without points has a blank second row.
+/// Rows of a text file that are no comments, one after another, so that files of any size take
+/// little memory. Blank ones count, as an image without points has a blank second row.
 class ColmapRows {
  public:
   explicit ColmapRows(const std::string& path) : path_(path) {

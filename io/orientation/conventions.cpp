@@ -35,7 +35,8 @@ double angle_modulo_quarter_deg(double a_rad, double b_rad) {
   return std::min(angle, kQuarter_deg - angle);
 }
 
-/// The plan vector from an image to the nearest one that was not taken at the same place; zero if there is none.
+/// The plan vector from an image to the nearest one that was not taken at the same place; zero if
+/// there is none.
 Eigen::Vector2d to_nearest(const std::vector<OrientedImage>& images, std::size_t image) {
   constexpr double kSamePlace_m = 1e-3;
   Eigen::Vector2d nearest = Eigen::Vector2d::Zero();
@@ -84,7 +85,8 @@ struct Evidence {
   std::vector<double> values;
 };
 
-/// The number of the reading that is right by the evidence; nothing if there is none, or more than one.
+/// The number of the reading that is right by the evidence; nothing if there is none, or more than
+/// one.
 std::optional<std::size_t> decided_by(const Evidence& evidence) {
   constexpr double kTimes = 3.0;
   std::vector<double> sorted = evidence.values;
@@ -94,8 +96,8 @@ std::optional<std::size_t> decided_by(const Evidence& evidence) {
   return std::ranges::min_element(evidence.values) - evidence.values.begin();
 }
 
-/// The most that right rays miss each other by. Points are found in images reduced to 1500 pixels, so in large frames they
-/// are less exact.
+/// The most that right rays miss each other by. Points are found in images reduced to 1500 pixels,
+/// so in large frames they are less exact.
 double most_ray_distance_px(const Orientation& orientation) {
   constexpr double kMinDistance_px = 5.0;
   constexpr double kOfLongerSide = 0.002;

@@ -54,21 +54,23 @@ Angles angles_deg(const Eigen::Matrix3d& world_from_camera_axes);
 /// The units in which the angles can be: those that are at most a full turn.
 std::vector<AngleUnit> possible_units(const std::vector<Angles>& angles);
 
-/// The median distance, px, of the observations from the points in which their rays meet; the rays meet where the sum
-/// of squared distances to them is least. Nothing with fewer than kMinMeetings points that two images with cameras
-/// observe.
+/// The median distance, px, of the observations from the points in which their rays meet; the rays
+/// meet where the sum of squared distances to them is least. Nothing with fewer than kMinMeetings
+/// points that two images with cameras observe.
 constexpr std::size_t kMinMeetings = 10;
 std::optional<double> median_ray_distance_px(const Orientation& orientation,
                                              const std::vector<PointObservation>& observations);
 
-/// The mean angle in [0, 45] degrees by which the sides of vertical images are turned against the line to the nearest
-/// image; small in a block that was flown in strips. Nothing with fewer than three images that look down.
+/// The mean angle in [0, 45] degrees by which the sides of vertical images are turned against the
+/// line to the nearest image; small in a block that was flown in strips. Nothing with fewer than
+/// three images that look down.
 std::optional<double> mean_angle_to_strips_deg(const Orientation& orientation);
 
-/// Gives the images the rotations of the one reading under which rays meet, or, if `find` finds no points, under which
-/// the images lie along the strips. Says in orientation.decisions which one it was and by what. `readings`: at least
-/// one; of several that cannot be told apart because they mean the same to 0.1 px at 10,000 px focal length, the first
-/// counts. Throws IoError, which names the options, if the readings cannot be told apart.
+/// Gives the images the rotations of the one reading under which rays meet, or, if `find` finds no
+/// points, under which the images lie along the strips. Says in orientation.decisions which one it
+/// was and by what. `readings`: at least one; of several that cannot be told apart because they
+/// mean the same to 0.1 px at 10,000 px focal length, the first counts. Throws IoError, which names
+/// the options, if the readings cannot be told apart.
 void decide_rotations(const std::string& path,
                       const std::vector<RotationReading>& readings,
                       const FindObservations& find,

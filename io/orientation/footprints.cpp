@@ -17,8 +17,8 @@ namespace {
 
 using Ring = std::vector<Eigen::Vector3d>;
 
-/// Below this cosine of the angle to the plumb line a ray is taken to miss the ground: its foot lies six flying heights
-/// away.
+/// Below this cosine of the angle to the plumb line a ray is taken to miss the ground: its foot
+/// lies six flying heights away.
 constexpr double kSteepEnough = 0.17;
 
 std::optional<Eigen::Vector3d> on_ground(const InteriorOrientation& interior,

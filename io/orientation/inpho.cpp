@@ -143,7 +143,8 @@ class InphoReader {
     return size.cast<int>();
   }
 
-  /// Pixels a millimetre along columns and rows, on the diagonal. Keeps how the camera's axes lie in the image.
+  /// Pixels a millimetre along columns and rows, on the diagonal. Keeps how the camera's axes lie
+  /// in the image.
   Eigen::Matrix2d axes_of(const InphoBlock& block, const Eigen::Matrix2d& px_from_mm) {
     constexpr double kSkew = 1e-4;  // a pixel in 10,000
     const Eigen::Vector2d px_per_mm = px_from_mm.rowwise().norm();
@@ -170,7 +171,8 @@ class InphoReader {
     fail(block.row, "$PIXEL_REFERENCE : " + reference + "; CenterTopLeft and TopLeft are read");
   }
 
-  /// The sign of the coefficients is not known from the file: whether they are added to measured or ideal coordinates.
+  /// The sign of the coefficients is not known from the file: whether they are added to measured or
+  /// ideal coordinates.
   void refuse_distortion(const InphoBlock& block,
                          const std::string& key,
                          const InteriorOrientation& interior,

@@ -18,7 +18,8 @@ struct InphoEntry {
   std::vector<TextRow> rows;
 };
 
-/// What stands between $PHOTO or $CAMERA and the next such block. Of a key that stands several times the first counts.
+/// What stands between $PHOTO or $CAMERA and the next such block. Of a key that stands several
+/// times the first counts.
 struct InphoBlock {
   std::string name;
   int row = 0;
@@ -35,9 +36,9 @@ struct InphoBlock {
   }
 };
 
-/// The blocks of a project file of Inpho. A new one begins at a key without blanks before it, and at each $PHOTO and
-/// $CAMERA_DEFINITION. Of cameras with several calibrations the keys of each have its number before them: "0/$ID". The
-/// rows point into `content`.
+/// The blocks of a project file of Inpho. A new one begins at a key without blanks before it, and
+/// at each $PHOTO and $CAMERA_DEFINITION. Of cameras with several calibrations the keys of each
+/// have its number before them: "0/$ID". The rows point into `content`.
 std::vector<InphoBlock> inpho_blocks(std::string_view content);
 
 }  // namespace ridgeline::io

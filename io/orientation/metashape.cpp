@@ -63,7 +63,8 @@ void refuse_other_coefficients(const std::string& path,
   require_negligible(path, "p4", calibration.number_or("p4", 0.0) * std::pow(r, 4) * p);
 }
 
-/// Pixels are counted from the corner of the image, cx and cy from its middle. p1 and p2 change places against ours.
+/// Pixels are counted from the corner of the image, cx and cy from its middle. p1 and p2 change
+/// places against ours.
 InteriorOrientation sensor_interior(const std::string& path, const XmlElement& sensor) {
   const XmlElement calibration = calibration_of(sensor);
   for (const std::string& type : {sensor.attribute("type"), calibration.attribute("type")}) {
@@ -154,7 +155,8 @@ class ChunkReader {
     return found == block_from_component_.end() ? chunk_from_all_ : found->second;
   }
 
-  /// The camera of a sensor is made when its first image asks for it, so that sensors without images are not judged.
+  /// The camera of a sensor is made when its first image asks for it, so that sensors without
+  /// images are not judged.
   [[nodiscard]] std::size_t camera_number(const XmlElement& camera) {
     const std::string id = camera.attribute("sensor_id");
     if (const auto known = camera_of_sensor_.find(id); known != camera_of_sensor_.end()) {
@@ -168,7 +170,8 @@ class ChunkReader {
     return camera_of_sensor_[id] = orientation_.cameras.size() - 1;
   }
 
-  /// A block with a reference system on the Earth has geocentric coordinates, whatever the system is.
+  /// A block with a reference system on the Earth has geocentric coordinates, whatever the system
+  /// is.
   void place_on_earth() {
     const std::string reference = chunk_.child("reference").text();
     if (reference.empty() || reference.starts_with("LOCAL_CS")) {

@@ -25,7 +25,8 @@ bool is_key_left_out(const Json& key) {
   return std::ranges::any_of(kLeftOut, [&](const char* name) { return key == name; });
 }
 
-/// Parses without the points. A name that stands twice in an object is an error; the parser would keep the last one.
+/// Parses without the points. A name that stands twice in an object is an error; the parser would
+/// keep the last one.
 Json parse_without_points(const std::string& path) {
   constexpr int kOfReconstruction = 2;  // within the list and the object
   const std::string text = read_orientation_text(path, std::uint64_t{4} * kMaxOrientation_bytes);
@@ -112,7 +113,8 @@ class OpensfmReader {
     return x;
   }
 
-  /// Focal lengths and the principal point are in units of the longer side, from the middle of the image.
+  /// Focal lengths and the principal point are in units of the longer side, from the middle of the
+  /// image.
   [[nodiscard]] InteriorOrientation interior_of(const std::string& name, const Json& camera) const {
     const std::string type = camera.is_object() && camera.contains("projection_type") &&
                                      camera["projection_type"].is_string()
@@ -175,7 +177,8 @@ class OpensfmReader {
     return image;
   }
 
-  /// Poses are topocentric, about a place that stands in the file or in reference_lla.json beside it.
+  /// Poses are topocentric, about a place that stands in the file or in reference_lla.json beside
+  /// it.
   void place_on_earth(const Json& reconstruction, Orientation& orientation) const {
     Json reference = reconstruction.value("reference_lla", Json());
     if (!reference.is_object()) {

@@ -88,7 +88,8 @@ class OpkTable {
     return head_.columns.empty() ? kUsualColumns : head_.columns;
   }
 
-  /// The fields of a row. A name with blanks that stands first and without quotes is put together again.
+  /// The fields of a row. A name with blanks that stands first and without quotes is put together
+  /// again.
   [[nodiscard]] std::vector<std::string> fields_of(const TextRow& row, const std::string& where) {
     const char separator = separator_of(row.text);
     std::vector<std::string> fields = table_fields(row.text, separator);

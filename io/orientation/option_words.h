@@ -8,7 +8,8 @@
 
 namespace ridgeline::io {
 
-// The words in which users state what an orientation leaves open. Each function gives nothing for another word.
+// The words in which users state what an orientation leaves open. Each function gives nothing for
+// another word.
 
 std::optional<AngleUnit> angle_unit_named(const std::string& word);          ///< deg | gon | rad
 std::optional<RotationOrder> rotation_order_named(const std::string& word);  ///< opk | pok

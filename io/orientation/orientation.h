@@ -13,8 +13,8 @@
 
 namespace ridgeline::io {
 
-/// A camera as an orientation file states it. Its pixel (0, 0) is the centre of the top-left pixel, whatever the file
-/// counts from.
+/// A camera as an orientation file states it. Its pixel (0, 0) is the centre of the top-left pixel,
+/// whatever the file counts from.
 struct Camera {
   std::string name;
   InteriorOrientation interior;

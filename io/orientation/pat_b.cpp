@@ -13,7 +13,8 @@
 namespace ridgeline::io {
 namespace {
 
-/// The three records of an image: number and position, five and four elements of the matrix, row by row.
+/// The three records of an image: number and position, five and four elements of the matrix, row by
+/// row.
 constexpr std::size_t kRecords = 3;
 
 class PatBReader {

@@ -11,7 +11,8 @@
 namespace ridgeline::io {
 namespace {
 
-/// A ray of an observation and the camera that it was observed with, in coordinates reduced to the middle of the block.
+/// A ray of an observation and the camera that it was observed with, in coordinates reduced to the
+/// middle of the block.
 struct Ray {
   Eigen::Vector3d centre, direction;
   Eigen::Vector2d ideal_px;

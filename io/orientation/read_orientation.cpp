@@ -28,7 +28,8 @@ std::string text_at_beginning(const std::string& path) {
   return start;
 }
 
-/// Whether the first row is of numbers alone and long enough for a table whose images have numbers for names.
+/// Whether the first row is of numbers alone and long enough for a table whose images have numbers
+/// for names.
 bool is_numbered_table(std::string_view start) {
   const std::vector<TextRow> rows = rows_of(start);
   if (rows.empty()) return false;

@@ -5,17 +5,19 @@
 
 #include <string>
 
-/// One function a format. Each gives the images as the file states them; read_orientation() checks them.
+/// One function a format. Each gives the images as the file states them; read_orientation() checks
+/// them.
 namespace ridgeline::io {
 
-/// Rows of name, x, y, z, omega, phi, kappa and perhaps the camera, with or without names of columns. The system of
-/// coordinates may stand in a `.prj` beside the table.
+/// Rows of name, x, y, z, omega, phi, kappa and perhaps the camera, with or without names of
+/// columns. The system of coordinates may stand in a `.prj` beside the table.
 Orientation read_opk_table(const std::string& path, const OrientationOptions& options);
 
 /// OpenSfM's reconstruction.json: topocentric poses are converted to a map.
 Orientation read_opensfm(const std::string& path, const OrientationOptions& options);
 
-/// Pix4D's PREFIX_calibrated_camera_parameters.txt, with PREFIX_offset.xyz and PREFIX_wkt.prj beside it.
+/// Pix4D's PREFIX_calibrated_camera_parameters.txt, with PREFIX_offset.xyz and PREFIX_wkt.prj
+/// beside it.
 Orientation read_pix4d(const std::string& path, const OrientationOptions& options);
 
 /// The project file of Inpho (Trimble).

@@ -13,7 +13,8 @@ struct CPLXMLNode;
 
 namespace ridgeline::io {
 
-/// An element of an XML document, which must outlive it. An element that is not there has no text and no children.
+/// An element of an XML document, which must outlive it. An element that is not there has no text
+/// and no children.
 class XmlElement {
  public:
   XmlElement(const std::string* path, const CPLXMLNode* node) : path_(path), node_(node) {}
@@ -27,7 +28,8 @@ class XmlElement {
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::string attribute(std::string_view name) const;  ///< empty if there is none
 
-  // Each of the functions below throws IoError, which names the element, for a text that is no finite number.
+  // Each of the functions below throws IoError, which names the element, for a text that is no
+  // finite number.
   [[nodiscard]] double number(
       std::string_view child) const;  ///< throws IoError also if the child is missing
   [[nodiscard]] std::optional<double> number_if_there(std::string_view child) const;

@@ -30,11 +30,12 @@ struct GateEntry {
   std::optional<int> n_min;  ///< the entry's own, else the file's
 };
 
-/// Reads a YAML file {n_min, gates: [{class, n_images, decided_by, within_m, kind, distance_m, bound, patch, method, metric, max, min, max_ratio_to: {class},
-/// ratio, max_increase_over_baseline, max_decrease_below_baseline, n_min}, ...]}; n_min beside
-/// `gates` is that of every entry without one.
-/// Throws IoError for a file that cannot be read or is not YAML, an unknown or repeated key (naming
-/// the nearest and all known ones), a value of the wrong type, or an empty list of gates.
+/// Reads a YAML file {n_min, gates: [{class, n_images, decided_by, within_m, kind, distance_m,
+/// bound, patch, method, metric, max, min, max_ratio_to: {class}, ratio,
+/// max_increase_over_baseline, max_decrease_below_baseline, n_min}, ...]}; n_min beside `gates` is
+/// that of every entry without one. Throws IoError for a file that cannot be read or is not YAML,
+/// an unknown or repeated key (naming the nearest and all known ones), a value of the wrong type,
+/// or an empty list of gates.
 std::vector<GateEntry> read_gates_file(const std::filesystem::path& path);
 /// Reads gates from a text as read_gates_file() does from a file; `path` is what messages call it.
 std::vector<GateEntry> parse_gates(const std::string& content, const std::string& path);

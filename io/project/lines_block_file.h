@@ -11,8 +11,8 @@
 
 namespace ridgeline::io {
 
-/// A block file with `lines`: files of lines that are judged against many tiles of LIDAR, in tasks by area. Paths
-/// are those of the file, relative to its folder, with that folder in front.
+/// A block file with `lines`: files of lines that are judged against many tiles of LIDAR, in tasks
+/// by area. Paths are those of the file, relative to its folder, with that folder in front.
 struct LinesBlockFile {
   std::string path;
   std::string block;  ///< what the tables call it; empty: the name of the cloud
@@ -29,11 +29,12 @@ struct LinesBlockFile {
   std::vector<double> origin;  ///< of the local frame, whole metres; may be empty
 };
 
-/// Reads a block file with `lines`. Throws IoError with path, line and rule for a key that is unknown or missing and for a
-/// value that is not possible.
+/// Reads a block file with `lines`. Throws IoError with path, line and rule for a key that is
+/// unknown or missing and for a value that is not possible.
 LinesBlockFile read_lines_block(const std::string& path);
 
-/// Whether a block file has lines to be judged, and not frames. Throws IoError for a file that cannot be read.
+/// Whether a block file has lines to be judged, and not frames. Throws IoError for a file that
+/// cannot be read.
 bool is_lines_block(const std::string& path);
 
 }  // namespace ridgeline::io

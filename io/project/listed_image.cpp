@@ -115,8 +115,8 @@ PatchImage ListedImage::oriented(const PatchOrientation& orientation) const {
   }
 }
 
-/// Whether window_px is [column, row, columns, rows], what is read of a file that is the frame, and not [column, row],
-/// where a file that is cut out begins in the frame.
+/// Whether window_px is [column, row, columns, rows], what is read of a file that is the frame, and
+/// not [column, row], where a file that is cut out begins in the frame.
 bool ListedImage::states_what_is_read() const {
   return map_.has("window_px") && map_.node("window_px").size() == 4;
 }

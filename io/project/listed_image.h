@@ -10,8 +10,8 @@
 
 namespace ridgeline::io {
 
-/// An image that a patch file lists under `images`; read_patch() names its keys. Functions throw IoError with the line for
-/// values that cannot be.
+/// An image that a patch file lists under `images`; read_patch() names its keys. Functions throw
+/// IoError with the line for values that cannot be.
 class ListedImage {
  public:
   /// `path`: of the patch file, for messages; files are relative to `folder`.

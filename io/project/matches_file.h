@@ -24,7 +24,8 @@ std::vector<FoundMatch> read_matches(const std::string& path);
 struct ReferenceEdge {
   std::string id, kind;
   Segment2 left, right;  ///< both in the same direction of travel
-  /// Whether the two segments were found by eye not to show one edge; a match of them is then false.
+  /// Whether the two segments were found by eye not to show one edge; a match of them is then
+  /// false.
   bool is_wrong_pair = false;
 };
 
@@ -38,7 +39,8 @@ using ReferenceMatches = std::variant<std::vector<ReferenceEdge>, std::vector<Li
 /// IoError naming the row for missing columns, values that are no numbers and other verdicts.
 ReferenceMatches read_reference_matches(const std::string& path);
 
-/// Writes reference edges as read_reference_matches() reads them, to thousandths of a pixel. Throws IoError.
+/// Writes reference edges as read_reference_matches() reads them, to thousandths of a pixel. Throws
+/// IoError.
 void write_reference_edges(const std::string& path, std::span<const ReferenceEdge> edges);
 
 }  // namespace ridgeline::io

@@ -34,7 +34,8 @@ struct PatchImage {
   std::vector<std::array<double, 2>> radiometry{};
   std::optional<ImageFacts> facts{};      ///< of the file, if its header has been read
   std::optional<std::string> segments{};  ///< file of another detector, see read_own_segments()
-  /// Interior orientation of the full frame; set only if the patch gives it. undistorted_px() removes its distortion.
+  /// Interior orientation of the full frame; set only if the patch gives it. undistorted_px()
+  /// removes its distortion.
   std::optional<InteriorOrientation> interior;
   std::optional<ExteriorOrientation> exterior{};  ///< set only if the patch gives it
 };
@@ -80,9 +81,11 @@ struct PatchFile {
       HeightSource::kStated;  ///< if it is another one, height_range_m has no values yet
   std::optional<std::string> surface_model;  ///< raster of heights
   std::optional<std::string> area_file;      ///< polygons that `area_m` is of
-  /// Corners of the convex area to be reconstructed, counter-clockwise, metres in the CRS; empty if the patch states none.
+  /// Corners of the convex area to be reconstructed, counter-clockwise, metres in the CRS; empty if
+  /// the patch states none.
   std::vector<Eigen::Vector2d> area_m;
-  /// Whether `images` are all that there are, of which those that show the area best are still to be chosen.
+  /// Whether `images` are all that there are, of which those that show the area best are still to
+  /// be chosen.
   bool chooses_images = false;
   std::size_t max_views = kDefaultMaxViews;  ///< to be chosen at most
   std::vector<PatchImage>
@@ -104,26 +107,27 @@ using FindPatchPoints =
 
 /// Reads a patch file (YAML or JSON). Relative paths in it are relative to the file and come out
 /// resolved. Keys:
-///   id, height_range [lowest, highest] or auto, surface_model, crs, area [x_min, y_min, x_max, y_max] or a file of
-///   polygons, max_views, lidar, segments {IMAGE: file, ...}, segment_sigma_px, reference_matches, reference_tracks,
-///   reference_lines;
+///   id, height_range [lowest, highest] or auto, surface_model, crs, area [x_min, y_min, x_max,
+///     y_max] or a file of polygons, max_views, lidar, segments {IMAGE: file, ...},
+///     segment_sigma_px, reference_matches, reference_tracks, reference_lines;
 ///   images: list of {id, path, projection_matrix}, or in place of the matrix
-///     interior {focal_length_mm, pixel_size_um, size_px, principal_point_mm, or focal_length_px [x, y], size_px,
-///     principal_point_px, and k1, k2, k3, p1, p2},
-///     exterior {position_m, omega_phi_kappa_deg} and optionally window_px [column, row], where the file is cut out of the
-///     frame, or [column, row, columns, rows], what is to be read of a file that is the frame; and optionally radiometry,
-///     [low, high] for each band;
-///   or in place of matrix and interior nothing but perhaps window_px and name, with, beside images, orientation (what
-///     read_orientation() reads) and optionally cameras, angles, rotation, matrix: ImageNames tells which image that is;
+///     interior {focal_length_mm, pixel_size_um, size_px, principal_point_mm, or focal_length_px
+///     [x, y], size_px, principal_point_px, and k1, k2, k3, p1, p2}, exterior {position_m,
+///     omega_phi_kappa_deg} and optionally window_px [column, row], where the file is cut out of
+///     the frame, or [column, row, columns, rows], what is to be read of a file that is the frame;
+///     and optionally radiometry, [low, high] for each band;
+///   or in place of matrix and interior nothing but perhaps window_px and name, with, beside
+///     images, orientation (what read_orientation() reads) and optionally cameras, angles,
+///     rotation, matrix: ImageNames tells which image that is;
 ///   or with orientation a folder or patterns of files, whose images the orientation knows;
 ///   or in place of images: colmap (folder of a COLMAP model) and optionally colmap_images (folder
 ///     of its images, else the patch file's own).
-/// `find` may be empty; it is asked only where an orientation leaves something open. Heights, images of an area and windows
-/// that the patch does not state itself stay open.
-/// Throws IoError with the line for unknown or missing keys and for values that cannot be: numbers
-/// that are not finite, an inverted height range, a matrix of rank < 3, an id twice, two cameras in
-/// one place, fewer than two images, an unreadable CRS, an image that the orientation does not have, an orientation in
-/// another CRS. Faults of the orientation itself name its file.
+/// `find` may be empty; it is asked only where an orientation leaves something open. Heights,
+/// images of an area and windows that the patch does not state itself stay open. Throws IoError
+/// with the line for unknown or missing keys and for values that cannot be: numbers that are not
+/// finite, an inverted height range, a matrix of rank < 3, an id twice, two cameras in one place,
+/// fewer than two images, an unreadable CRS, an image that the orientation does not have, an
+/// orientation in another CRS. Faults of the orientation itself name its file.
 PatchFile read_patch(const std::string& path, const FindPatchPoints& find = {});
 
 }  // namespace ridgeline::io

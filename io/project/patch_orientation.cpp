@@ -50,7 +50,8 @@ std::vector<std::string> with_path(const std::string& path, const std::vector<st
   return transformed(texts, [&](const std::string& text) { return path + ": " + text; });
 }
 
-/// Images of one id, which have one name in different folders, get the whole name as id, with underscores for the slashes.
+/// Images of one id, which have one name in different folders, get the whole name as id, with
+/// underscores for the slashes.
 void tell_ids_apart(const std::vector<std::string>& names, std::vector<PatchImage>& images) {
   std::map<std::string, int> n_of_id;
   for (const PatchImage& image : images) ++n_of_id[image.id];

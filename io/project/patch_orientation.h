@@ -32,23 +32,24 @@ struct OrientedFiles {
 /// The orientation that a patch file names.
 class PatchOrientation {
  public:
-  /// Reads it as the patch's keys orientation, cameras, angles, rotation and matrix say; files are relative to `folder`.
-  /// `crs`: what the patch states, perhaps nothing. `images` and `find` serve to decide what the file leaves open.
-  /// Throws IoError as read_orientation() does, for words that are not known, and if both reference systems are stated and
-  /// differ.
+  /// Reads it as the patch's keys orientation, cameras, angles, rotation and matrix say; files are
+  /// relative to `folder`. `crs`: what the patch states, perhaps nothing. `images` and `find` serve
+  /// to decide what the file leaves open. Throws IoError as read_orientation() does, for words that
+  /// are not known, and if both reference systems are stated and differ.
   PatchOrientation(const YamlMap& patch,
                    const std::filesystem::path& folder,
                    const Crs& crs,
                    const std::vector<ImageToOrient>& images,
                    const FindPatchPoints& find);
 
-  /// The image with its camera. Throws std::invalid_argument, which names the orientation, if that does not have the image
-  /// or its camera.
+  /// The image with its camera. Throws std::invalid_argument, which names the orientation, if that
+  /// does not have the image or its camera.
   [[nodiscard]] PatchImage oriented(const ImageToOrient& image,
                                     const Eigen::Vector2d& window_px) const;
 
-  /// The images that whole files show, by their names. Throws std::invalid_argument, which names the orientation, if a file
-  /// may be several images, or an image may be several files or has no camera.
+  /// The images that whole files show, by their names. Throws std::invalid_argument, which names
+  /// the orientation, if a file may be several images, or an image may be several files or has no
+  /// camera.
   [[nodiscard]] OrientedFiles images_of(const std::vector<std::string>& files) const;
 
   [[nodiscard]] const Crs& crs() const { return orientation_.crs; }

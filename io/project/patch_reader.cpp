@@ -23,8 +23,8 @@
 namespace ridgeline::io {
 namespace {
 
-/// Whether two projection centres are in one place, which is a copied orientation and no short base: a millimetre is far
-/// below any stereo base.
+/// Whether two projection centres are in one place, which is a copied orientation and no short
+/// base: a millimetre is far below any stereo base.
 bool in_one_place(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   constexpr double kRelativeTolerance = 1e-9;  // a few millimetres in six million metres
   return (a - b).norm() <= kRelativeTolerance * a.norm();
@@ -126,7 +126,8 @@ class PatchReader {
     return map_.has(key) ? std::optional(resolved(map_.text(key))) : std::nullopt;
   }
 
-  /// Reads the orientation if the patch names one. The patch takes its reference system if it states none itself.
+  /// Reads the orientation if the patch names one. The patch takes its reference system if it
+  /// states none itself.
   void read_orientation(const FindPatchPoints& find, PatchFile& patch) {
     if (!map_.has("orientation")) {
       for (const char* key : {"cameras", "angles", "rotation", "matrix"}) {
@@ -279,7 +280,8 @@ class PatchReader {
     return images;
   }
 
-  /// Images of which some are still to be chosen may share places, as those of a camera with several heads do.
+  /// Images of which some are still to be chosen may share places, as those of a camera with
+  /// several heads do.
   void check_images(const PatchFile& patch) const {
     const char* key = map_.has("images") ? "images" : "colmap";
     const std::vector<PatchImage>& images = patch.images;

@@ -53,8 +53,9 @@ void for_each_look_column(T& s, Visitor&& visit) {
   for_each_flank_column(s.right, "right", visit);
 }
 
-/// Covariance of (x1, y1, x2, y2). Along the line, each end moves by an e of its own with variance sigma_e^2. Across
-/// the line, an end at t from the centroid moves by q + t phi, and both ends share q and phi.
+/// Covariance of (x1, y1, x2, y2). Along the line, each end moves by an e of its own with variance
+/// sigma_e^2. Across the line, an end at t from the centroid moves by q + t phi, and both ends
+/// share q and phi.
 Eigen::Matrix4d endpoint_covariance(const UncertainSegment2& s) {
   const Eigen::Vector2d u = (s.segment.end - s.segment.start).normalized();
   const Eigen::Vector2d n(-u.y(), u.x());

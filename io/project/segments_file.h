@@ -20,17 +20,18 @@ namespace ridgeline::io {
 ///   image_x1_px ... image_y2_px   start and end in pixels of the file
 ///   n_edge_pixels, rms_px, contrast
 ///   left_1 ... left_4, left_grey, right_1 ... right_grey   the flanks, 0 dark to 1 bright
-///   scale_px                      pixels of the file per pixel of the reduced image that showed it;
-///                                 read as 1 where it is missing
-///   guided                        1 for one that a segment of another view led to, else 0; read as 0 where it is missing
+///   scale_px                      pixels of the file per pixel of the reduced image that showed
+///                                 it; read as 1 where it is missing
+///   guided                        1 for one that a segment of another view led to, else 0; read as
+///                                 0 where it is missing
 /// Numbers have as many digits as it takes to read the same values back.
 /// Throws IoError if the file cannot be written.
 void write_segments(const std::string& path, const std::vector<EdgeSegment>& segments);
 
 /// Reads what write_segments() wrote; the columns may have any order and others beside them. Throws
 /// IoError with the line for a missing column, a field that is no finite number, an id that is not
-/// the row's index, a segment without length, a sigma that is not positive, and a scale that is not a whole
-/// number from 1 to 8.
+/// the row's index, a segment without length, a sigma that is not positive, and a scale that is not
+/// a whole number from 1 to 8.
 std::vector<EdgeSegment> read_segments(const std::string& path);
 
 /// Reads segments that another detector found in an image, for View::own_segments. Columns, in any

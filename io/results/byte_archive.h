@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
-// Values as bytes without loss, as they lie in memory. A struct has a function fields(archive, struct) in the namespace
-// of the archives, which names its fields once for both directions.
+// Values as bytes without loss, as they lie in memory. A struct has a function fields(archive,
+// struct) in the namespace of the archives, which names its fields once for both directions.
 
 namespace ridgeline::results {
 
@@ -68,8 +68,9 @@ class ByteWriter {
     for (const T& value : values) each(*this, value);
   }
 
-  /// Writes lists of keys of points, most of which planes beside each other share. A key that was there before takes a byte or
-  /// few: its place among all keys, against the place of the key before it.
+  /// Writes lists of keys of points, most of which planes beside each other share. A key that was
+  /// there before takes a byte or few: its place among all keys, against the place of the key
+  /// before it.
   void key_lists(const std::vector<std::vector<std::uint64_t>>& lists) {
     (*this)(std::uint64_t{lists.size()});
     for (const auto& keys : lists) key_list(keys);
@@ -167,7 +168,8 @@ class ByteReader {
     }
   }
 
-  /// The number of elements that follow. Each takes a byte at least, so that damage asks for no absurd memory.
+  /// The number of elements that follow. Each takes a byte at least, so that damage asks for no
+  /// absurd memory.
   std::size_t count() {
     std::uint64_t n = 0;
     (*this)(n);

@@ -24,8 +24,8 @@ namespace {
 using evaluate::Evaluation;
 
 /// The tolerance of check_frame(): lines with a median distance above 20 times this are not in the
-/// frame of the cloud. A geoid taken for an ellipsoid (tens of metres) is found so, and lines that are
-/// a storey too high are judged.
+/// frame of the cloud. A geoid taken for an ellipsoid (tens of metres) is found so, and lines that
+/// are a storey too high are judged.
 constexpr double kFrameTolerance_m = 1.0;
 
 /// "[CRS] x 1..2, y 3..4, z 5..6 (unit 0.3048 m)" of a box in metres, shown in the file's units.
@@ -74,7 +74,8 @@ std::string unit_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBo
   return "";
 }
 
-/// A hint at exchanged or turned axes if the lines would lie in the cloud's plan with them; "" if there is none.
+/// A hint at exchanged or turned axes if the lines would lie in the cloud's plan with them; "" if
+/// there is none.
 std::string axis_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBox3d& cloud_m) {
   struct Axes {
     const char* change;
@@ -196,7 +197,8 @@ Evaluation evaluation_of(const io::LineSet& set,
   return evaluate::with_summaries(std::move(evaluation));
 }
 
-/// Adds the warnings of the cloud in front of those of cloud and lines together, and the warnings of the lines behind.
+/// Adds the warnings of the cloud in front of those of cloud and lines together, and the warnings
+/// of the lines behind.
 void add_warnings(const io::PointCloud& cloud, JudgedFiles& judged) {
   judged.warnings.insert(judged.warnings.begin(), cloud.warnings.begin(), cloud.warnings.end());
   for (const io::LineSet& set : judged.line_sets) {

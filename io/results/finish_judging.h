@@ -9,10 +9,10 @@
 
 namespace ridgeline::results {
 
-/// The last step of judge_lines(), which needs all lines: their shift, the figures, the check of the frame, and
-/// warnings of the values. With JudgeFilesOptions::apply_shift it judges them once more. `batches`: what judge_in_batches()
-/// gave for the prepared lines.
-/// Throws IoError as judge_files().
+/// The last step of judge_lines(), which needs all lines: their shift, the figures, the check of
+/// the frame, and warnings of the values. With JudgeFilesOptions::apply_shift it judges them once
+/// more. `batches`: what judge_in_batches() gave for the prepared lines. Throws IoError as
+/// judge_files().
 JudgedFiles finish_judging(PreparedLines prepared,
                            JudgedBatches batches,
                            io::CloudFiles& cloud,

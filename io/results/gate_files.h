@@ -8,13 +8,16 @@
 
 namespace ridgeline::results {
 
-/// The gates of a file. Throws IoError for a file's fault and for a gate that cannot decide, with its line.
+/// The gates of a file. Throws IoError for a file's fault and for a gate that cannot decide, with
+/// its line.
 std::vector<evaluate::Gate> read_gates(const std::string& file);
-/// The gates of a gates file's content; `name` is what messages call it. Throws as read_gates() does.
+/// The gates of a gates file's content; `name` is what messages call it. Throws as read_gates()
+/// does.
 std::vector<evaluate::Gate> parse_gates(const std::string& content, const std::string& name);
 
 /// Applies the gates of a file to a folder of results, with a folder of results as baseline unless
-/// that is empty. Throws as read_gates() does, and std::invalid_argument for a baseline of other inputs.
+/// that is empty. Throws as read_gates() does, and std::invalid_argument for a baseline of other
+/// inputs.
 evaluate::GateReport apply_gate_files(const std::string& gates,
                                       const std::string& results,
                                       const std::string& baseline);

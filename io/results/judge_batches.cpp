@@ -58,8 +58,9 @@ class Surroundings {
   std::vector<Segment2> footprints_;
 };
 
-/// All lines: those about the frame's origin, which is amid the points of the cloud, and those far from it.
-/// A few lines that a wrong coordinate has put elsewhere would make the raster around all of them coarse.
+/// All lines: those about the frame's origin, which is amid the points of the cloud, and those far
+/// from it. A few lines that a wrong coordinate has put elsewhere would make the raster around all
+/// of them coarse.
 std::pair<Batch, Batch> near_and_far(const LineSets& lines) {
   constexpr double kFar_m = 3e5;
   const auto is_near = [](const Segment3& s) {
@@ -151,7 +152,8 @@ class BatchedJudge {
     return evaluate::in_range(segment) ? midpoint(plan(segment)) : Eigen::Vector2d::Zero().eval();
   }
 
-  /// The halves of a batch, split at the median across the longer side of the box around the lines' midpoints.
+  /// The halves of a batch, split at the median across the longer side of the box around the lines'
+  /// midpoints.
   [[nodiscard]] std::pair<Batch, Batch> halves(Batch batch) const {
     Eigen::AlignedBox2d box;
     for (const LineRef& ref : batch) box.extend(middle(ref));

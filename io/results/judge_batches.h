@@ -16,8 +16,8 @@ namespace ridgeline::results {
 using LineSets = std::vector<std::vector<evaluate::JudgedLine>>;
 using DecoySets = std::vector<std::vector<evaluate::Decoy>>;
 
-/// What the readings of a cloud gave, summed over them: a point near the lines of two batches counts
-/// twice.
+/// What the readings of a cloud gave, summed over them: a point near the lines of two batches
+/// counts twice.
 struct CloudReadings {
   std::size_t n_batches = 0;
   std::uint64_t n_kept = 0;
@@ -34,22 +34,22 @@ struct JudgedBatches {
   std::vector<std::vector<evaluate::JudgedDecoy>> decoys;  ///< by set; empty if none were made
 };
 
-/// Judges every line by the points near it. If these need more memory than `max_memory_bytes` for all
-/// lines together, the lines are judged in batches of neighbours, halved until their points fit, and
-/// the cloud's files are read for each; the results are the same, bit by bit. The surroundings of a
-/// single line are read whatever they need, with a warning if that is more.
-/// `decoys`: lines made of those of each set, which are judged in the same readings of the cloud; empty for none. They
-/// change no result, but count in the readings.
-/// Throws IoError as read_cloud().
+/// Judges every line by the points near it. If these need more memory than `max_memory_bytes` for
+/// all lines together, the lines are judged in batches of neighbours, halved until their points
+/// fit, and the cloud's files are read for each; the results are the same, bit by bit. The
+/// surroundings of a single line are read whatever they need, with a warning if that is more.
+/// `decoys`: lines made of those of each set, which are judged in the same readings of the cloud;
+/// empty for none. They change no result, but count in the readings. Throws IoError as
+/// read_cloud().
 JudgedBatches judge_in_batches(io::CloudFiles& cloud,
                                const LineSets& lines,
                                const evaluate::JudgeOptions& options,
                                std::uint64_t max_memory_bytes,
                                DecoySets decoys = {});
 
-/// Judges lines that are a part of all, for JudgedParts. Planes have no ids yet. Bounds in headers of
-/// the cloud are trusted even if no point is found: other parts may find some.
-/// Throws IoError as read_cloud().
+/// Judges lines that are a part of all, for JudgedParts. Planes have no ids yet. Bounds in headers
+/// of the cloud are trusted even if no point is found: other parts may find some. Throws IoError as
+/// read_cloud().
 JudgedBatches judge_part(io::CloudFiles& cloud,
                          const LineSets& part,
                          const evaluate::JudgeOptions& options,

@@ -11,8 +11,8 @@
 
 namespace ridgeline::results {
 
-/// Judges the lines as judge_in_batches() does, and beside them lines that were moved on purpose, unless
-/// JudgeFilesOptions::n_decoys is 0. Throws as judge_in_batches().
+/// Judges the lines as judge_in_batches() does, and beside them lines that were moved on purpose,
+/// unless JudgeFilesOptions::n_decoys is 0. Throws as judge_in_batches().
 JudgedBatches judge_with_decoys(io::CloudFiles& cloud,
                                 const LineSets& lines,
                                 const JudgeFilesOptions& options);
@@ -22,8 +22,8 @@ void add_decoys(const std::vector<evaluate::JudgedDecoy>& decoys,
                 const std::vector<evaluate::JudgedLine>& lines,
                 evaluate::Evaluation& evaluation);
 
-/// Throws IoError for the file at `path` if its lines fit the cloud no better than elsewhere; warns instead if
-/// JudgeFilesOptions::refuse_other_places is off, or if they fit hardly better.
+/// Throws IoError for the file at `path` if its lines fit the cloud no better than elsewhere; warns
+/// instead if JudgeFilesOptions::refuse_other_places is off, or if they fit hardly better.
 void check_follows_cloud(const evaluate::Evaluation& evaluation,
                          const std::string& path,
                          const JudgeFilesOptions& options,

@@ -18,7 +18,8 @@
 namespace ridgeline::results {
 namespace {
 
-/// Throws IoError, before anything is judged, for a file that is no model though it must be one, and for an attribute that no model has.
+/// Throws IoError, before anything is judged, for a file that is no model though it must be one,
+/// and for an attribute that no model has.
 void check_models(const std::vector<io::LineSet>& sets, const JudgeFilesOptions& options) {
   for (const io::LineSet& set : sets) {
     if (!options.needs_models || set.model) continue;

@@ -34,13 +34,15 @@ struct JudgeFilesOptions {
   bool scale_to_ground = false;  ///< see set_plan_scale()
   /// Whether lines with a significant shift are moved against it and judged again.
   bool apply_shift = false;
-  /// To how many wrong places lines of each file are moved and judged again, see evaluate::make_decoys(); default:
-  /// evaluate::default_n_decoys(). 0: none, and lines are not compared with themselves elsewhere.
+  /// To how many wrong places lines of each file are moved and judged again, see
+  /// evaluate::make_decoys(); default: evaluate::default_n_decoys(). 0: none, and lines are not
+  /// compared with themselves elsewhere.
   std::optional<std::size_t> n_decoys = {};
   /// Whether lines that fit the cloud no better than elsewhere are an error; a warning otherwise.
   bool refuse_other_places = true;
   std::string geoid;  ///< grid for the likely cause of a shift, see io::geoid_at(); may be empty
-  /// Memory for the points that are held at one time, see judge_in_batches(). 512 MiB hold about 5.6 million.
+  /// Memory for the points that are held at one time, see judge_in_batches(). 512 MiB hold
+  /// about 5.6 million.
   std::uint64_t cloud_memory_mib = 512;
   bool needs_models = false;  ///< whether line files must be models of buildings
   /// Attributes of the buildings of models by which figures are grouped.
@@ -68,21 +70,21 @@ struct LinesToJudge {
   std::optional<io::LineSet> references;  ///< true lines
 };
 
-/// Reads lines and the points near them into one local frame, judges the lines, estimates the shift of each file and computes
-/// the figures. Throws IoError for a file's fault, a CRS or unit mismatch (both named) and for lines that
-/// are not in the frame of the cloud or do not follow it.
+/// Reads lines and the points near them into one local frame, judges the lines, estimates the shift
+/// of each file and computes the figures. Throws IoError for a file's fault, a CRS or unit mismatch
+/// (both named) and for lines that are not in the frame of the cloud or do not follow it.
 JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record);
 
-/// Judges as judge_files() does, but takes lines and a cloud that are open already or come from elsewhere. Paths of the
-/// options are not read.
+/// Judges as judge_files() does, but takes lines and a cloud that are open already or come from
+/// elsewhere. Paths of the options are not read.
 JudgedFiles judge_lines(LinesToJudge lines,
                         io::CloudFiles& cloud,
                         const JudgeFilesOptions& options,
                         RunRecord& record);
 
-/// Throws IoError for the file at `path`, naming both reference systems, if its own and the other do not agree.
-/// `what` names the two things in the message, "lines and cloud". What one of the two systems leaves open becomes a
-/// warning.
+/// Throws IoError for the file at `path`, naming both reference systems, if its own and the other
+/// do not agree. `what` names the two things in the message, "lines and cloud". What one of the two
+/// systems leaves open becomes a warning.
 void refuse_mismatch(std::string_view what,
                      const std::string& path,
                      const io::Crs& crs,

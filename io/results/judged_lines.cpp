@@ -51,15 +51,16 @@ std::vector<ImageSighting> seen_segments(const io::Line& line,
   return seen;
 }
 
-/// How well two images tell where a line lies: how far its segments are across the epipolar lines, pixels.
+/// How well two images tell where a line lies: how far its segments are across the epipolar lines,
+/// pixels.
 double across_epipolar_px(const ImageSighting& a, const ImageSighting& b) {
   if (a.image_from_local == b.image_from_local) return -1.0;
   const std::array cameras{a.image_from_local, b.image_from_local};
   return std::sin(epipolar_angle_rad(cameras, a.px, b.px)) * std::min(length(a.px), length(b.px));
 }
 
-/// The image segments of a line that states them: that of its first image, then that of the image that together with
-/// it determines best where the line lies, then the others.
+/// The image segments of a line that states them: that of its first image, then that of the image
+/// that together with it determines best where the line lies, then the others.
 std::optional<evaluate::ImageEvidence> evidence_of(const io::Line& line,
                                                    const LocalFrame& frame,
                                                    const std::optional<io::PatchFile>& patch) {

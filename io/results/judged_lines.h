@@ -15,8 +15,8 @@
 
 namespace ridgeline::results {
 
-/// Metres on the ground per coordinate unit, by axis: those of the CRS if it is known, else those that the set states,
-/// else 1.
+/// Metres on the ground per coordinate unit, by axis: those of the CRS if it is known, else those
+/// that the set states, else 1.
 Eigen::Vector3d unit_m_of(const io::LineSet& set);
 
 /// A line of a file in metres of the local frame; `unit_m` is unit_m_of() the file.
@@ -24,26 +24,29 @@ Segment3 segment_in_local(const io::Line& line,
                           const Eigen::Vector3d& unit_m,
                           const LocalFrame& frame);
 
-/// The lines with their coordinates in metres. They have no CRS and unit, since these have been applied.
+/// The lines with their coordinates in metres. They have no CRS and unit, since these have been
+/// applied.
 io::LineSet in_metres(io::LineSet set);
 
-/// The lines of a file in metres of the local frame. Lines without a class get one by the patch's cameras: `aligned` up
-/// to `max_aligned_angle_deg`, else `not_aligned`. Lines that state their image segments take these along as evidence.
+/// The lines of a file in metres of the local frame. Lines without a class get one by the patch's
+/// cameras: `aligned` up to `max_aligned_angle_deg`, else `not_aligned`. Lines that state their
+/// image segments take these along as evidence.
 std::vector<evaluate::JudgedLine> judged_lines_of(
     const io::LineSet& set,
     const LocalFrame& frame,
     const std::optional<io::PatchFile>& patch,
     double max_aligned_angle_deg = kMaxAlignedAngle_deg);
 
-/// The lines moved by `by_m`, with the cameras and heights of their evidence, so that images show them where they did.
+/// The lines moved by `by_m`, with the cameras and heights of their evidence, so that images show
+/// them where they did.
 std::vector<evaluate::JudgedLine> moved(std::vector<evaluate::JudgedLine> lines,
                                         const Eigen::Vector3d& by_m);
 
 /// The lines of a file moved by `by_m`, in its coordinates.
 io::LineSet moved(io::LineSet set, const Eigen::Vector3d& by_m);
 
-/// The true lines of a file; lines with a coordinate that is not finite are left out. Throws IoError if none is left, or
-/// for a line that is not in_range().
+/// The true lines of a file; lines with a coordinate that is not finite are left out. Throws
+/// IoError if none is left, or for a line that is not in_range().
 std::vector<evaluate::ReferenceLine> reference_lines_of(const io::LineSet& set,
                                                         const LocalFrame& frame);
 
@@ -53,7 +56,8 @@ struct TruthRows {
   std::vector<evaluate::ReferenceRow> references;  ///< empty without reference lines
 };
 
-/// Precision and completeness of the lines that `evaluation` judged and, with reference lines, their true errors.
+/// Precision and completeness of the lines that `evaluation` judged and, with reference lines,
+/// their true errors.
 TruthRows compare_with_truth(const evaluate::Evaluation& evaluation,
                              const std::vector<evaluate::JudgedLine>& lines,
                              const std::optional<std::vector<evaluate::ReferenceLine>>& references);

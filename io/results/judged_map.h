@@ -25,14 +25,15 @@ enum class MapSchema : std::uint8_t {
 /// The schema named "plain" or "fkb". Throws std::invalid_argument for another name.
 MapSchema map_schema_named(const std::string& name);
 
-/// A warning of the columns of the lines' file that the map leaves out; empty if it has room for all.
+/// A warning of the columns of the lines' file that the map leaves out; empty if it has room for
+/// all.
 std::string left_out_of_map(const io::LineSet& set);
 
-/// Writes the judged lines of file `i` as a map (GeoPackage), in the reference system of the lines, else of the cloud, with
-/// coordinates in its units:
+/// Writes the judged lines of file `i` as a map (GeoPackage), in the reference system of the lines,
+/// else of the cloud, with coordinates in its units:
 ///   lines    the lines, with every column of their file (NAME_in if its name is taken),
-///            `source_fid`, `part`, and what became of them; coloured by distance. If they were moved before, moved_x_m, moved_y_m
-///            and moved_z_m say by how much
+///            `source_fid`, `part`, and what became of them; coloured by distance. If they were
+///            moved before, moved_x_m, moved_y_m and moved_z_m say by how much
 ///   planes   the LIDAR planes that judged them, as the hulls of their points
 ///   vectors  from the middle of each judged line to its foot on each of its planes
 ///   to_fix   what to fix first, see to_fix()

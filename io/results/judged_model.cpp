@@ -125,7 +125,8 @@ class ModelJudge {
 
   [[nodiscard]] double neighbour_reach_m() const { return 2.0 * options_.reach_m; }
 
-  /// Divides a group at the median across the longer side of its box; returns the size of the first half.
+  /// Divides a group at the median across the longer side of its box; returns the size of the first
+  /// half.
   std::size_t halve(std::span<std::size_t> group) const {
     Eigen::AlignedBox2d all;
     for (const std::size_t i : group) all.extend(boxes_[i].center());
@@ -136,8 +137,8 @@ class ModelJudge {
     return half;
   }
 
-  /// The group, then the buildings whose planes its faces need: those in reach, and those in reach of these, as a plane depends on
-  /// the planes around it.
+  /// The group, then the buildings whose planes its faces need: those in reach, and those in reach
+  /// of these, as a plane depends on the planes around it.
   [[nodiscard]] std::vector<std::size_t> with_neighbours(std::span<const std::size_t> group) const {
     std::vector<std::size_t> members(group.begin(), group.end());
     std::vector<bool> is_in(boxes_.size(), false);

@@ -25,9 +25,10 @@ struct JudgedModel {
   std::vector<evaluate::BuildingRow> rows;                   ///< of each building
 };
 
-/// Judges the roof faces of a model whose edges were judged as lines: `set` as it was read, or moved before as `evaluation.shift`
-/// says. The points over the faces are read anew, for groups of neighbouring buildings if they need more memory than
-/// `max_memory_bytes`; the results do not depend on the groups. Throws IoError as read_cloud().
+/// Judges the roof faces of a model whose edges were judged as lines: `set` as it was read, or
+/// moved before as `evaluation.shift` says. The points over the faces are read anew, for groups of
+/// neighbouring buildings if they need more memory than `max_memory_bytes`; the results do not
+/// depend on the groups. Throws IoError as read_cloud().
 JudgedModel judge_model(io::CloudFiles& cloud,
                         const io::LineSet& set,
                         const evaluate::Evaluation& evaluation,

@@ -32,7 +32,8 @@ void JudgedParts::add(const LineNumbers& numbers, JudgedBatches part) {
 JudgedBatches JudgedParts::join(io::CloudFiles& cloud,
                                 const evaluate::JudgeOptions& options,
                                 std::uint64_t max_memory_bytes) {
-  // Without any point the headers of the cloud may be wrong, which only a judge of all lines can find out.
+  // Without any point the headers of the cloud may be wrong, which only a judge of all lines can
+  // find out.
   if (all_.readings.n_kept == 0) {
     return judge_in_batches(cloud, lines_, options, max_memory_bytes);
   }

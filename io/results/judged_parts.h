@@ -27,8 +27,9 @@ class JudgedParts {
   /// Adds a part with the numbers of its lines. Every line belongs to one part.
   void add(const LineNumbers& numbers, JudgedBatches part);
 
-  /// What judge_in_batches() gives for all lines, bit by bit, but for the number of batches and the counts of points. To
-  /// be called once, after the last part. `cloud` has read what the parts have read.
+  /// What judge_in_batches() gives for all lines, bit by bit, but for the number of batches and the
+  /// counts of points. To be called once, after the last part. `cloud` has read what the parts have
+  /// read.
   JudgedBatches join(io::CloudFiles& cloud,
                      const evaluate::JudgeOptions& options,
                      std::uint64_t max_memory_bytes);

@@ -13,9 +13,10 @@ namespace ridgeline::results {
 
 using LineShifts = std::vector<std::optional<evaluate::ConstantShift>>;
 
-/// The shift of each set of judged lines, with its likely cause. Where images chose planes that lie metres off, the lines are
-/// judged once more by their own plan, because rays that meet the cloud metres off meet it at another place.
-/// `sets`: the lines as read. Throws IoError as judge_in_batches() and likely_cause().
+/// The shift of each set of judged lines, with its likely cause. Where images chose planes that lie
+/// metres off, the lines are judged once more by their own plan, because rays that meet the cloud
+/// metres off meet it at another place. `sets`: the lines as read. Throws IoError as
+/// judge_in_batches() and likely_cause().
 LineShifts shifts_of(const JudgedBatches& judged,
                      const LineSets& lines,
                      const std::vector<io::LineSet>& sets,

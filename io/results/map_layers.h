@@ -74,8 +74,8 @@ class ToMap {
 std::vector<io::Column> building_columns();
 io::SparseRow building_values(const evaluate::BuildingRow& row, std::size_t first);
 
-/// The layers of a judged model, in the coordinates of the map: `buildings`, with what their file states of them, and `faces`. Each
-/// building is the polygons of its roof faces.
+/// The layers of a judged model, in the coordinates of the map: `buildings`, with what their file
+/// states of them, and `faces`. Each building is the polygons of its roof faces.
 std::vector<io::MapLayer> model_layers(const JudgedModel& judged,
                                        const io::LineSet& set,
                                        const ToMap& to_map);

@@ -160,7 +160,8 @@ std::string sld_by_distance() {
 /// How a rule finds its features by their `verdict`.
 enum class Match : std::uint8_t { kAll, kEquals, kHas, kNull };
 
-/// Areas of one look. Rules may share features, as a face may be wrong in several ways: the marks lie on each other.
+/// Areas of one look. Rules may share features, as a face may be wrong in several ways: the marks
+/// lie on each other.
 struct AreaRule {
   std::string label;
   Match match = Match::kAll;

@@ -21,7 +21,8 @@
 namespace ridgeline::results {
 namespace {
 
-/// The number of lines by stated kind and kind in the scan; a line that was not judged has the kind "not judged".
+/// The number of lines by stated kind and kind in the scan; a line that was not judged has the kind
+/// "not judged".
 std::string kinds_rows(const JudgedFiles& judged, std::size_t i) {
   evaluate::PlanesById planes;
   for (const evaluate::JudgedPlane& plane : judged.planes[i]) planes[plane.id] = &plane;

@@ -16,8 +16,8 @@
 
 namespace ridgeline::results {
 
-// The fields of each struct. The bindings name all of them, so that a field that is added does not compile until it is
-// written, too.
+// The fields of each struct. The bindings name all of them, so that a field that is added does not
+// compile until it is written, too.
 
 void fields(auto& archive, Some<Segment2> auto& segment) {
   auto& [start, end] = segment;
@@ -120,8 +120,8 @@ void fields(auto& archive, Some<LinesPart> auto& part) {
 
 namespace {
 
-/// What a file begins with. The number is written as it lies in memory: a computer with another order of bytes finds no
-/// file of its own here.
+/// What a file begins with. The number is written as it lies in memory: a computer with another
+/// order of bytes finds no file of its own here.
 std::string beginning(const std::string& key) {
   ByteWriter writer;
   writer(std::string("ridgeline part 3"));

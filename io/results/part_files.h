@@ -26,8 +26,8 @@ std::string to_bytes(const JudgedBatches& part);
 LinesPart lines_part_of(std::string_view bytes);
 JudgedBatches judged_part_of(std::string_view bytes);
 
-// Writes a part to a file, whole or not at all. `key`: a hash of what the part was made from. Throws IoError if the
-// file cannot be written.
+// Writes a part to a file, whole or not at all. `key`: a hash of what the part was made from.
+// Throws IoError if the file cannot be written.
 void write_part(const std::string& path, const std::string& key, const LinesPart& part);
 void write_part(const std::string& path, const std::string& key, const JudgedBatches& part);
 

@@ -34,7 +34,8 @@ class Places {
 
   [[nodiscard]] bool empty() const { return coordinates_[0].empty(); }
 
-  /// Quantiles of the coordinates by axis. The one at 0.5 is the middle of most lines, as single lines may lie anywhere.
+  /// Quantiles of the coordinates by axis. The one at 0.5 is the middle of most lines, as single
+  /// lines may lie anywhere.
   [[nodiscard]] Eigen::Vector2d quantile(double share_x, double share_y) const {
     return {quantile_of(coordinates_[0], share_x), quantile_of(coordinates_[1], share_y)};
   }

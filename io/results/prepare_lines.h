@@ -20,8 +20,8 @@ struct PreparedLines {
   std::vector<std::string> reference_warnings;
 };
 
-/// Reads the lines and the true lines that the options name. Throws IoError as read_lines(), and for two files of lines
-/// with one name.
+/// Reads the lines and the true lines that the options name. Throws IoError as read_lines(), and
+/// for two files of lines with one name.
 LinesToJudge read_lines_to_judge(const JudgeFilesOptions& options);
 
 /// The first step of judge_lines(). Throws IoError for a CRS or unit mismatch.

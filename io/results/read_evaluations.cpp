@@ -27,8 +27,8 @@ std::string method_in_name(const fs::path& file) {
   return Json::parse(evaluate::dump(Json(stem.substr(stem.find('.') + 1)))).get<std::string>();
 }
 
-/// Patches and methods of a table2.json. Of a flat folder it is those of the first patch: the rows after them are parts of
-/// a block, whose lines are in the evaluation of the block.
+/// Patches and methods of a table2.json. Of a flat folder it is those of the first patch: the rows
+/// after them are parts of a block, whose lines are in the evaluation of the block.
 class TableOfRun {
  public:
   /// Throws IoError for a file that is no such table.
@@ -82,7 +82,8 @@ class TableOfRun {
   std::map<std::pair<std::string, std::string>, std::size_t> rank_;
 };
 
-/// The evaluation files of a folder, found by their names and sorted by path. They are not read yet.
+/// The evaluation files of a folder, found by their names and sorted by path. They are not read
+/// yet.
 std::vector<FoundEvaluation> evaluation_files(const fs::path& folder) {
   std::vector<FoundEvaluation> files;
   constexpr int kMaxDepth = 1;  // DIR/PATCH/evaluation.METHOD.json

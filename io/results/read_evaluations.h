@@ -22,11 +22,11 @@ struct FoundEvaluation {
   std::size_t rank = 0;  ///< place in table2.json; 0 without that file
 };
 
-/// The evaluations of the last run into a folder, in the order of their paths. Evaluations that its table2.json does not
-/// name are of earlier runs and do not count, even if they are damaged. Without that table all count. `is_flat` says
-/// that `evaluate` or `block` wrote the folder: into itself, not into a subfolder for each patch. Throws
-/// IoError for a file that is not what it should be, for an evaluation of the table that is missing, and for a folder
-/// without evaluations.
+/// The evaluations of the last run into a folder, in the order of their paths. Evaluations that its
+/// table2.json does not name are of earlier runs and do not count, even if they are damaged.
+/// Without that table all count. `is_flat` says that `evaluate` or `block` wrote the folder: into
+/// itself, not into a subfolder for each patch. Throws IoError for a file that is not what it
+/// should be, for an evaluation of the table that is missing, and for a folder without evaluations.
 std::vector<FoundEvaluation> read_evaluations(const std::filesystem::path& folder, bool is_flat);
 
 }  // namespace ridgeline::results

@@ -15,8 +15,8 @@ namespace {
 
 using evaluate::Json;
 
-/// Reads the run's time and the hashes, by file name, of the data that two runs must share: all inputs but the judged
-/// lines and the options.
+/// Reads the run's time and the hashes, by file name, of the data that two runs must share: all
+/// inputs but the judged lines and the options.
 void read_run_record(const Json& json, const fs::path& file, evaluate::ResultFolder& results) {
   try {
     for (const auto& input : json.at("inputs")) {

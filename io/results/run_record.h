@@ -28,20 +28,22 @@ class RunRecord {
 
   void set_options(nlohmann::ordered_json options) { options_ = std::move(options); }
   void set(const std::string& key, nlohmann::ordered_json value) { facts_[key] = std::move(value); }
-  /// Records the file with its size and SHA-256. Files of the roles `cloud`, `patch`, `area`, `surface_model`,
-  /// `orientation`, `image` and `reference` are the data that two runs must share to be compared; `lines` are what is judged.
-  /// A folder (LIMAP's tracks) is recorded as each of its files.
-  /// Throws IoError if it cannot be read.
+  /// Records the file with its size and SHA-256. Files of the roles `cloud`, `patch`, `area`,
+  /// `surface_model`, `orientation`, `image` and `reference` are the data that two runs must share
+  /// to be compared; `lines` are what is judged. A folder (LIMAP's tracks) is recorded as each of
+  /// its files. Throws IoError if it cannot be read.
   void add_input(const InputFile& file);
   /// The SHA-256 of a file that is known already; add_input() does not read the file then.
   void know_hash(const std::string& path, const std::string& sha256) { known_[path] = sha256; }
-  /// The SHA-256 of a file that add_input() was given. Throws std::invalid_argument for another one.
+  /// The SHA-256 of a file that add_input() was given. Throws std::invalid_argument for another
+  /// one.
   [[nodiscard]] std::string hash_of(const std::string& path) const;
   void add_warnings(const std::vector<std::string>& warnings);
   [[nodiscard]] std::vector<std::string> warnings() const { return warnings_; }
   /// Leaves out the time since the last stage ended, in which the program did something else.
   void resume();
-  /// Ends the stage that runs now. Records its wall time since the last one, and the peak memory so far.
+  /// Ends the stage that runs now. Records its wall time since the last one, and the peak memory so
+  /// far.
   void end_stage(const std::string& name);
 
   /// The facts, for OutputFolder::write_record().

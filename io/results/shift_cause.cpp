@@ -16,7 +16,8 @@ namespace {
 using evaluate::ConstantShift;
 using evaluate::ShiftAxis;
 
-/// Below this a geoid that cannot be compared is not worth a word: it is more than that off the ellipsoid nearly everywhere.
+/// Below this a geoid that cannot be compared is not worth a word: it is more than that off the
+/// ellipsoid nearly everywhere.
 constexpr double kMinGeoidShift_m = 1.0;
 
 double half_width_m(const ShiftAxis& axis) { return 0.5 * (axis.ci95_m->high - axis.ci95_m->low); }

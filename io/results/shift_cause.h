@@ -24,9 +24,10 @@ struct ShiftPlace {
 };
 
 /// A clause on what explains a significant shift, "" if nothing known does:
-///   - geoid against ellipsoid: the shift in height is the height of the geoid, see io::geoid_at(); if that cannot be known, the
-///     clause says which grid is missing;
-///   - half a pixel: the shift in plan is half a row and half a column of every image on the ground, and there is none in height.
+///   - geoid against ellipsoid: the shift in height is the height of the geoid, see io::geoid_at();
+///     if that cannot be known, the clause says which grid is missing;
+///   - half a pixel: the shift in plan is half a row and half a column of every image on the
+///     ground, and there is none in height.
 /// A swapped or mirrored axis moves no two lines alike, so that no constant shift tells of it.
 /// Throws IoError as io::require_geoid_grid().
 std::string likely_cause(const evaluate::ConstantShift& shift, const ShiftPlace& place);

@@ -44,8 +44,8 @@ Eigen::Vector3d middle_of(const evaluate::RoofBuilding& building) {
   return n > 0.0 ? Eigen::Vector3d(sum / n) : sum;
 }
 
-/// The squares of the heights between a building's roof and the points over it. Points over a roof that is not where it should
-/// be may be taken for the ground, which does not count otherwise.
+/// The squares of the heights between a building's roof and the points over it. Points over a roof
+/// that is not where it should be may be taken for the ground, which does not count otherwise.
 double roof_squares_m2(const evaluate::BuildingRow& row, const evaluate::PointDistances& points) {
   const bool is_elsewhere = row.verdict == BuildingVerdict::kGone ||
                             row.verdict == BuildingVerdict::kTooHigh ||

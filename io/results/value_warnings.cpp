@@ -19,10 +19,12 @@ namespace {
 using evaluate::LineEvaluation;
 using evaluate::Status;
 
-/// Largest distance that is taken for an error of the line. check_frame() sets the same limit to the median.
+/// Largest distance that is taken for an error of the line. check_frame() sets the same limit to
+/// the median.
 constexpr double kMaxError_m = 20.0;
 
-/// Root mean square of the distances of the judged lines for which `is_counted` holds; nothing if there are none.
+/// Root mean square of the distances of the judged lines for which `is_counted` holds; nothing if
+/// there are none.
 template <typename Predicate>
 std::optional<double> rms_m(const std::vector<LineEvaluation>& lines, const Predicate& is_counted) {
   double sum = 0.0;
@@ -36,9 +38,10 @@ std::optional<double> rms_m(const std::vector<LineEvaluation>& lines, const Pred
   return std::sqrt(sum / static_cast<double>(n));
 }
 
-/// The steps that may have moved the lines: always steps of float32, and steps of too few digits unless the lines fit
-/// too well for them. Rounding to a step moves a coordinate by 0.29 of the step (RMS), and a line across its plane by
-/// less; of the lines that it moves the farthest many are not judged.
+/// The steps that may have moved the lines: always steps of float32, and steps of too few digits
+/// unless the lines fit too well for them. Rounding to a step moves a coordinate by 0.29 of the
+/// step (RMS), and a line across its plane by less; of the lines that it moves the farthest many
+/// are not judged.
 Eigen::Vector3d harmful_steps_m(const io::LineSet& set, const std::vector<LineEvaluation>& lines) {
   constexpr double kMinHarm = 0.05;
   const io::CoordinateSteps steps = io::steps_of(set, unit_m_of(set));
@@ -69,7 +72,8 @@ bool is_far_in_height(const LineEvaluation& line) {
   return line.status == Status::kOutOfRange && line.length_m > 0.0;
 }
 
-/// Whether the line is far off its planes and parallel to them. A line that a tool misplaces that far is seldom parallel.
+/// Whether the line is far off its planes and parallel to them. A line that a tool misplaces that
+/// far is seldom parallel.
 bool is_far_from_planes(const LineEvaluation& line) {
   constexpr double kParallel = 0.2;  // difference of the ends' distances over the mean distance
   if (line.status != Status::kEvaluated || *line.mean_distance_m <= kMaxError_m) return false;

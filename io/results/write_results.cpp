@@ -35,7 +35,8 @@ std::vector<Evaluation> of_matches(std::span<const Evaluation> evaluations) {
   return kept;
 }
 
-/// The evaluations, of which those of one patch stand together, cut down to the common lines of their patch.
+/// The evaluations, of which those of one patch stand together, cut down to the common lines of
+/// their patch.
 std::vector<Evaluation> on_common_lines_by_patch(std::span<const Evaluation> evaluations) {
   std::vector<Evaluation> common;
   for (std::size_t first = 0; first < evaluations.size();) {
@@ -74,7 +75,8 @@ void write_quality(std::span<const Evaluation> evaluations,
   out.write("quality.xml", evaluate::measures_to_xml(rows));
 }
 
-/// Writes the figures beside the distances from planes. `note`: what stands below the Markdown forms; may be empty.
+/// Writes the figures beside the distances from planes. `note`: what stands below the Markdown
+/// forms; may be empty.
 void write_truth(const std::vector<TruthRows>& rows,
                  const std::string& note,
                  const OutputFolder& out) {

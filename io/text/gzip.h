@@ -10,8 +10,8 @@ namespace ridgeline::io {
 /// Whether bytes begin as those of gzip.
 bool is_gzip(std::string_view bytes);
 
-/// The text that gzip compressed, or its first `most_bytes`. It ends where the bytes end, or are no longer gzip's: `is_whole` then
-/// stays false.
+/// The text that gzip compressed, or its first `most_bytes`. It ends where the bytes end, or are no
+/// longer gzip's: `is_whole` then stays false.
 struct Inflated {
   std::string text;
   bool is_whole = false;

@@ -23,8 +23,9 @@ std::string place(const std::string& path, int row_number);
 std::string_view trimmed(std::string_view text);
 std::string lower_case(std::string_view text);
 
-/// The trimmed fields of a row of CSV. A field in double quotes may hold the separator; "" in it is a quote (RFC 4180).
-/// Throws IoError naming the place for a quote that is not closed and for more than 10,000 fields.
+/// The trimmed fields of a row of CSV. A field in double quotes may hold the separator; "" in it is
+/// a quote (RFC 4180). Throws IoError naming the place for a quote that is not closed and for more
+/// than 10,000 fields.
 std::vector<std::string> csv_fields_of(std::string_view row,
                                        char separator,
                                        const std::string& where);

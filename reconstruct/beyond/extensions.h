@@ -12,13 +12,14 @@
 
 namespace ridgeline::reconstruct {
 
-/// The extensions of the extraction that the options switch on: a second look for faint edges (faint_edges),
-/// cuts of edges where others end on them (junction_cuts), and the separation of edges that blur into one
-/// (close_edges).
+/// The extensions of the extraction that the options switch on: a second look for faint edges
+/// (faint_edges), cuts of edges where others end on them (junction_cuts), and the separation of
+/// edges that blur into one (close_edges).
 EdgeRefinement edge_refinement(const ExtractionOptions& options);
 
-/// The extensions of the matching that the options switch on: matched_radiometry, hidden_walls, close_edges
-/// (the order of close lines) and the depth of the surfaces beside a line (weigh_by_surface()).
+/// The extensions of the matching that the options switch on: matched_radiometry, hidden_walls,
+/// close_edges (the order of close lines) and the depth of the surfaces beside a line
+/// (weigh_by_surface()).
 /// @param candidates  options of the first search, which gives the radiometry
 /// @param surface     the surface of the pair, or null; must live as long as the result
 MatchExtensions match_extensions(const MatchExtensionOptions& options,
@@ -30,8 +31,8 @@ MatchExtensions match_extensions(const MatchExtensionOptions& options,
 ChioExtensions chio_extensions(const ChioExtensionOptions& options,
                                const CandidateLook& change_look);
 
-/// The extensions of the estimation that the options switch on: other ends for uncertain lines, depth_consensus
-/// and network.
+/// The extensions of the estimation that the options switch on: other ends for uncertain lines,
+/// depth_consensus and network.
 /// @param surface_of  the surfaces of the pairs; they must live as long as the result
 EstimateExtensions estimate_extensions(const EstimationOptions& options,
                                        const SurfaceOf& surface_of = no_surface);

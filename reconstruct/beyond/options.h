@@ -56,14 +56,16 @@ struct MatchExtensionOptions {
   bool close_lines = true;
   bool hidden_walls = true;
   bool propagate_heights = true;
-  /// The depth of the surfaces beside a line speaks for or against its candidates. See weigh_by_surface().
+  /// The depth of the surfaces beside a line speaks for or against its candidates. See
+  /// weigh_by_surface().
   bool surface = true;
-  /// Mates of unmatched segments are looked for where the surfaces beside the segments predict them. See
-  /// guided_matches().
+  /// Mates of unmatched segments are looked for where the surfaces beside the segments predict
+  /// them. See guided_matches().
   bool guided = true;
   double guided_min_similarity = 0.8;
-  /// Lines matched by height must look more alike than other lines of `chio` (its min_similarity). On the training villages 4 of 19 lines below this value were false, and none of
-  /// the 6 from this value on.
+  /// Lines matched by height must look more alike than other lines of `chio` (its min_similarity).
+  /// On the training villages 4 of 19 lines below this value were false, and none of the 6 from
+  /// this value on.
   double propagate_min_similarity = 0.82;
 
   static constexpr MatchExtensionOptions none() {
@@ -126,23 +128,23 @@ struct ChioExtensionOptions {
 
 /// The options of the extensions of the estimation; see estimate_extensions().
 struct EstimateExtensionOptions {
-  /// A not_aligned line whose end is less certain than this (height) is given between the ends of the right
-  /// segment, because its left segment continues far beyond a short right one.
+  /// A not_aligned line whose end is less certain than this (height) is given between the ends of
+  /// the right segment, because its left segment continues far beyond a short right one.
   double max_end_sigma_m = 0.5;
-  /// Right segments of not_aligned matches are moved to where the right image shows what lies under the left
-  /// ones, by the colour profiles across the lines. See compare_profiles().
+  /// Right segments of not_aligned matches are moved to where the right image shows what lies under
+  /// the left ones, by the colour profiles across the lines. See compare_profiles().
   bool register_profiles = true;
-  /// Sigmas depend on how alike both images show the two edges of a match, and the error that both have in
-  /// common is added. See own_sigma_scale() and add_shared_error().
+  /// Sigmas depend on how alike both images show the two edges of a match, and the error that both
+  /// have in common is added. See own_sigma_scale() and add_shared_error().
   bool shared_errors = true;
-  /// Only points that agree on the depth of the line are used. If fewer than two remain, the ends of both
-  /// segments and horizontality help. See agree_on_depth().
+  /// Only points that agree on the depth of the line are used. If fewer than two remain, the ends
+  /// of both segments and horizontality help. See agree_on_depth().
   bool consensus = true;
-  /// Dense matching of the pair tells how deep the surfaces beside each line are. See SurfaceDepth. Without it
-  /// faces_beside does nothing either.
+  /// Dense matching of the pair tells how deep the surfaces beside each line are. See SurfaceDepth.
+  /// Without it faces_beside does nothing either.
   bool surface = true;
-  /// `joint` and `network` adjust lines to the plane faces that they border in the surface by dense matching.
-  /// See adjust_to_faces_beside().
+  /// `joint` and `network` adjust lines to the plane faces that they border in the surface by dense
+  /// matching. See adjust_to_faces_beside().
   bool faces_beside = true;
 
   /// Whether `joint` and `network` adjust lines to the plane faces beside them.
@@ -198,8 +200,8 @@ struct ConsensusOptions {
   double gable_share = 0.8;        ///< prior share of gables among what has the shape of one
   double step_share = 0.07;        ///< prior share of crossings where a row of lines has a step
   double min_cut_length_px = 7.0;  ///< least length of each part of a match that is cut
-  /// A line is given no geometry if another depth explains it about as well: if the log of the odds between
-  /// both depths is below this.
+  /// A line is given no geometry if another depth explains it about as well: if the log of the odds
+  /// between both depths is below this.
   double min_depth_margin = 2.5;
 
   static constexpr auto fields() {

@@ -65,8 +65,8 @@ Eigen::Matrix<double, 2, 3> across(const Eigen::Vector3d& direction) {
   return axes;
 }
 
-/// How far the ends of `shorter` lie across `longer`, as squared distances by their covariances; four degrees of freedom. The
-/// correlation of the two ends is left out: it is low.
+/// How far the ends of `shorter` lie across `longer`, as squared distances by their covariances;
+/// four degrees of freedom. The correlation of the two ends is left out: it is low.
 double squared_difference(const UncertainLine& longer, const UncertainLine& shorter) {
   const Segment3& along = longer.segment_in_world;
   const auto axes = across(along.end - along.start);
@@ -220,8 +220,8 @@ class Merger {
     return merged;
   }
 
-  /// Takes the end of the line from its twins, and from the twins of these, as long as it lies beyond the square of the patch that
-  /// it comes from.
+  /// Takes the end of the line from its twins, and from the twins of these, as long as it lies
+  /// beyond the square of the patch that it comes from.
   void prolong(std::size_t i,
                bool at_start,
                UncertainLine& line,

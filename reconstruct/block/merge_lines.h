@@ -38,24 +38,27 @@ struct MergedLine {
   UncertainLine geometry;  ///< of that line, or longer if the line leaves its patch
 };
 
-/// Makes one set of lines of those that overlapping patches found, strip by strip, so that it holds the lines of a strip and of
-/// its neighbours only. A strip is one or more columns of squares.
+/// Makes one set of lines of those that overlapping patches found, strip by strip, so that it holds
+/// the lines of a strip and of its neighbours only. A strip is one or more columns of squares.
 ///
-/// Two lines of different patches are twins if, within the place that both patches cover, they run beside each other over half of
-/// the shorter one at least, and both ends of the shorter one lie on the longer one by the covariances (chi-square of four degrees
-/// of freedom). A line belongs to the square of its midpoint. It counts if the patch of that square found it, or found
-/// a twin of it: so the noise of a midpoint beside a seam neither loses nor doubles a line. Of twins the longest one that its own
-/// square has stays.
-/// A line that ends beyond the square of its patch, where another patch knows better, is prolonged by its twins, one after another.
-/// So a line that no patch shows whole is whole. A prolonged line has the covariances of the ends that it takes.
+/// Two lines of different patches are twins if, within the place that both patches cover, they run
+/// beside each other over half of the shorter one at least, and both ends of the shorter one lie on
+/// the longer one by the covariances (chi-square of four degrees of freedom). A line belongs to the
+/// square of its midpoint. It counts if the patch of that square found it, or found a twin of it:
+/// so the noise of a midpoint beside a seam neither loses nor doubles a line. Of twins the longest
+/// one that its own square has stays. A line that ends beyond the square of its patch, where
+/// another patch knows better, is prolonged by its twins, one after another. So a line that no
+/// patch shows whole is whole. A prolonged line has the covariances of the ends that it takes.
 ///
-/// Twins, and twins of twins, decide among themselves. They are merged as soon as no later strip can have another twin.
+/// Twins, and twins of twins, decide among themselves. They are merged as soon as no later strip
+/// can have another twin.
 class LineMerger {
  public:
   LineMerger(const PatchGrid& grid, const MergeOptions& options);
 
-  /// Adds the lines of a strip that lies east of all before, in the order of their squares, each set in the order of its file.
-  /// Returns the merged lines that no later strip changes, in the order of squares and of numbers, each once over all calls.
+  /// Adds the lines of a strip that lies east of all before, in the order of their squares, each
+  /// set in the order of its file. Returns the merged lines that no later strip changes, in the
+  /// order of squares and of numbers, each once over all calls.
   std::vector<MergedLine> add(std::span<const FoundLine> strip);
   /// The rest, after the last strip.
   std::vector<MergedLine> finish();

@@ -18,8 +18,9 @@ struct GridCell {
   auto operator<=>(const GridCell&) const = default;
 };
 
-/// Squares that lie at multiples of their size, so that they stay where they are when a block grows. The first and the last
-/// column and row of an extent join their neighbours if they are slivers: a patch with its overlap covers these anyway.
+/// Squares that lie at multiples of their size, so that they stay where they are when a block
+/// grows. The first and the last column and row of an extent join their neighbours if they are
+/// slivers: a patch with its overlap covers these anyway.
 class PatchGrid {
  public:
   explicit PatchGrid(double size_m) : size_m_(size_m) {}

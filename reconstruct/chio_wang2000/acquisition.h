@@ -16,8 +16,8 @@ namespace ridgeline::reconstruct {
 struct Acquired {
   int candidate = 0;  ///< index of the initial link in the list of the left segment
   int process = 0;    ///< 1 to 4; 0: taken over from another matcher
-  /// The matched left segment whose height the line had to have. -1 in the first process and for a match
-  /// that was taken over.
+  /// The matched left segment whose height the line had to have. -1 in the first process and for a
+  /// match that was taken over.
   int neighbour = -1;
   double height_m = 0.0;  ///< height of the neighbour
   double limit_m = 0.0;   ///< largest difference from the height of the neighbour
@@ -42,16 +42,20 @@ class Acquisition {
   [[nodiscard]] const std::vector<std::optional<Acquired>>& acquired() const { return acquired_; }
   [[nodiscard]] const std::vector<ChioOutcome>& outcomes() const { return outcomes_; }
 
-  /// Index of the candidate that Core chooses for an unmatched segment: the most preferred one of those
-  /// allowed that may begin. If there is none, or if another left edge has taken it, the result is empty and
-  /// the outcome says why. If the look decides, the result is also empty if the similarity of the candidate is
+  /// Index of the candidate that Core chooses for an unmatched segment: the most preferred one of
+  /// those allowed that may begin. If there is none, or if another left edge has taken it, the
+  /// result is empty and the outcome says why. If the look decides, the result is also empty if the
+  /// similarity of the candidate is
   ///   - below min_similarity,
-  ///   - not clearly above that of another candidate, which has more than max_similarity_ratio of it, or
-  ///   - below max_similarity_ratio of the similarity between the candidate and another unmatched left segment.
+  ///   - not clearly above that of another candidate, which has more than max_similarity_ratio of
+  ///     it, or
+  ///   - below max_similarity_ratio of the similarity between the candidate and another unmatched
+  ///     left segment.
   std::optional<int> choose(int left, const Allowed& allowed);
   void acquire(int left, const Acquired& acquired);
-  /// Takes over a match of another matcher, with process 0. If the match is among the candidates, it can give
-  /// its height to others. Otherwise it only keeps its two segments from being matched with others.
+  /// Takes over a match of another matcher, with process 0. If the match is among the candidates,
+  /// it can give its height to others. Otherwise it only keeps its two segments from being matched
+  /// with others.
   void accept(const LineMatch& match);
 
  private:

@@ -42,8 +42,8 @@ RateNoise rate_noise(const ChainSummary& chain, double gsd_m, const ChioExtensio
           kSigmas * expected_rate_sigma(chain, gsd_m, edge_sigma_px)};
 }
 
-/// The largest difference of azimuths. A slope turns a line between the views. The paper's limit makes no
-/// allowance for that; NoiseAllowance does.
+/// The largest difference of azimuths. A slope turns a line between the views. The paper's limit
+/// makes no allowance for that; NoiseAllowance does.
 double azimuth_limit_rad(const LocalTransfer& transfer, const Context& context) {
   const double turn_rad =
       context.beyond.noise ? std::atan(context.options.max_rate * transfer.base_to_height()) : 0.0;
@@ -56,7 +56,8 @@ double mean_of(const Colour& colour, int n_bands) {
   return sum / n_bands;
 }
 
-/// Grey difference of the flank that agrees better: an eave hides what is beside it in one of the views.
+/// Grey difference of the flank that agrees better: an eave hides what is beside it in one of the
+/// views.
 double flank_difference(const Context& context, const EdgePair& edges) {
   const int n_bands = context.pair.left.image.channels();
   const auto grey = [&](const Flank& flank) {

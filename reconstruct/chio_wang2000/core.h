@@ -13,8 +13,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// What became of a left segment. If its candidates fail for several reasons, the last one in this order
-/// counts.
+/// What became of a left segment. If its candidates fail for several reasons, the last one in this
+/// order counts.
 enum class ChioOutcome : std::uint8_t {
   kMatched,
   kNoCandidate,         ///< no right segment in its epipolar band
@@ -48,20 +48,20 @@ struct CoreCandidates {
   double gsd_m = 0.0;  ///< size of a pixel on the ground, at the left segment
 };
 
-/// The candidates of every left segment, screened by Core (Chio and Wang 2000; the thresholds of section 4).
-/// The screening tests the difference of azimuths, the difference of the grey values beside the edge, the
-/// number of reliable pieces, the mean rate of height change and the standard deviation of the rates. The
-/// epipolar band is searched as match_candidates() does. Candidates with the most reliable pieces are
-/// preferred, then those with the steadiest rate. If the look decides (ChioExtensions), the candidates that
-/// look most alike are preferred.
+/// The candidates of every left segment, screened by Core (Chio and Wang 2000; the thresholds of
+/// section 4). The screening tests the difference of azimuths, the difference of the grey values
+/// beside the edge, the number of reliable pieces, the mean rate of height change and the standard
+/// deviation of the rates. The epipolar band is searched as match_candidates() does. Candidates
+/// with the most reliable pieces are preferred, then those with the steadiest rate. If the look
+/// decides (ChioExtensions), the candidates that look most alike are preferred.
 std::vector<CoreCandidates> core_candidates(const SearchedPair& pair,
                                             const ChioOptions& options,
                                             const CandidateOptions& candidate_options,
                                             const ChioExtensions& beyond = {});
 
-/// The further fragments of a right edge, as ascending indices of the list. `begin` is the index of the
-/// initial link. A further fragment has enough reliable pieces and the rate and azimuth of the initial link in
-/// object space, and both lie on one line in the image.
+/// The further fragments of a right edge, as ascending indices of the list. `begin` is the index of
+/// the initial link. A further fragment has enough reliable pieces and the rate and azimuth of the
+/// initial link in object space, and both lie on one line in the image.
 std::vector<int> linked_fragments(const CoreCandidates& candidates,
                                   int begin,
                                   const View& right,

@@ -104,7 +104,8 @@ void summarise_heights(const EpipolarTransfer& right_from_left,
   const double moved_m =
       right_from_left.stretch(x + normal(left.segment)).height_on(line.normal, line.c);
   chain.summary.height_per_px_m = std::abs(moved_m - z_m);
-  // If the right line moves by 1 px along its normal, the height of its crossing with the epipolar line changes by this.
+  // If the right line moves by 1 px along its normal, the height of its crossing with the epipolar
+  // line changes by this.
   const double right_per_px_m = 1.0 / std::abs(line.normal.dot(point->stretch.derivative(z_m)));
   const Eigen::Vector2d y = point->stretch.at(z_m);
   chain.summary.height_sigma_m = std::sqrt(

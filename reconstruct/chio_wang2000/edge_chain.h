@@ -13,7 +13,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// P(i): the point in space where the ray of a left edge point meets the projection plane of the right candidate.
+/// P(i): the point in space where the ray of a left edge point meets the projection plane of the
+/// right candidate.
 struct ChainPoint {
   int step = 0;
   Eigen::Vector3d x_in_local;  ///< m
@@ -60,11 +61,11 @@ std::vector<SearchedPoint> searched_points(const EpipolarTransfer& right_from_le
                                            const ImageSampler& left_image,
                                            const EdgeSegment& left);
 
-/// The chain of a candidate (Chio and Wang 2000, section 3). The epipolar line of each left point cuts the
-/// right segment, and forward intersection gives P(i). Points that would lie beyond the ends of the right
-/// segment by more than a pixel are left out. A piece is reliable if its horizontal length is at least
-/// min_piece_gsd ground pixels and its rate is finite.
-/// For a segment along the epipolar line the points are not finite and all are left out.
+/// The chain of a candidate (Chio and Wang 2000, section 3). The epipolar line of each left point
+/// cuts the right segment, and forward intersection gives P(i). Points that would lie beyond the
+/// ends of the right segment by more than a pixel are left out. A piece is reliable if its
+/// horizontal length is at least min_piece_gsd ground pixels and its rate is finite. For a segment
+/// along the epipolar line the points are not finite and all are left out.
 EdgeChain edge_chain(const EpipolarTransfer& right_from_left,
                      std::span<const SearchedPoint> left_points,
                      const UncertainSegment2& left,
@@ -72,10 +73,11 @@ EdgeChain edge_chain(const EpipolarTransfer& right_from_left,
                      double gsd_m,
                      const ChioOptions& options);
 
-/// The standard deviation of the rate of a single piece that the noise of the edge pixels alone would cause.
+/// The standard deviation of the rate of a single piece that the noise of the edge pixels alone
+/// would cause.
 double expected_rate_sigma(const ChainSummary& chain, double gsd_m, double edge_sigma_px);
-/// The standard deviation of the mean rate of a chain that the noise of the edge pixels alone would cause. The
-/// noise of pieces in a row cancels except at the two ends of the row.
+/// The standard deviation of the mean rate of a chain that the noise of the edge pixels alone would
+/// cause. The noise of pieces in a row cancels except at the two ends of the row.
 double expected_mean_rate_sigma(const ChainSummary& chain, double gsd_m, double edge_sigma_px);
 
 }  // namespace ridgeline::reconstruct

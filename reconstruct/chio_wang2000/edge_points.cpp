@@ -30,8 +30,8 @@ double difference(const Colour& a, const Colour& b) {
   return sum;
 }
 
-/// Offset along the unit normal from x to the strongest gradient. It is the vertex of the parabola through the
-/// logarithms of the gradients, which is exact for a blurred step.
+/// Offset along the unit normal from x to the strongest gradient. It is the vertex of the parabola
+/// through the logarithms of the gradients, which is exact for a blurred step.
 std::optional<double> edge_offset_px(const ImageSampler& image,
                                      const Eigen::Vector2d& x,
                                      const Eigen::Vector2d& normal) {

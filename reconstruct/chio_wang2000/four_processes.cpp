@@ -69,8 +69,8 @@ class Iteration {
                                         : options_.relaxed_height_difference_m;
   }
 
-  /// Tries to match a segment under the height of one neighbour. If a right structure is given, the mate must
-  /// be a member of it.
+  /// Tries to match a segment under the height of one neighbour. If a right structure is given, the
+  /// mate must be a member of it.
   bool acquire_beside(int process,
                       int left,
                       const Neighbour& neighbour,
@@ -97,8 +97,8 @@ class Iteration {
     return by_look_ ? candidate.similarity : candidate.chain.n_reliable;
   }
 
-  /// The best candidate of a left segment among the members of a right structure. For a matched segment only
-  /// its mate counts. Null if there is none.
+  /// The best candidate of a left segment among the members of a right structure. For a matched
+  /// segment only its mate counts. Null if there is none.
   [[nodiscard]] const CoreCandidate* best_in(int left, const Structure& right) const {
     if (acquisition_.is_matched(left)) {
       const CoreCandidate& mate = acquisition_.mate(left);
@@ -126,8 +126,8 @@ class Iteration {
     return found;
   }
 
-  /// The right junctions on the epipolar line of a left junction that have mates of at least two of its
-  /// members, best first.
+  /// The right junctions on the epipolar line of a left junction that have mates of at least two of
+  /// its members, best first.
   [[nodiscard]] std::vector<Correspondence> correspondences(const Structure& structure) const {
     std::set<int> right;
     for (const int member : structure.members) {
@@ -175,7 +175,8 @@ class Iteration {
     }
   }
 
-  /// Passes over all unmatched segments until a pass finds nothing. Returns how many segments were matched.
+  /// Passes over all unmatched segments until a pass finds nothing. Returns how many segments were
+  /// matched.
   int until_nothing_changes(int process, const Neighbourhood& neighbourhood, HeightLimit limit) {
     int n_found = 0;
     for (int n_before = -1; n_before != n_found;) {

@@ -29,7 +29,8 @@ void add_reliable_points(const EdgeChain& chain, std::vector<ChainPoint>& points
   }
 }
 
-/// The derivatives of the ends of a line by the shift (px, at the centroid) and the direction (rad) of the right line.
+/// The derivatives of the ends of a line by the shift (px, at the centroid) and the direction (rad)
+/// of the right line.
 Eigen::Matrix<double, 6, 2> by_right_line(const Segment3& line,
                                           const SearchedPair& pair,
                                           const UncertainSegment2& right) {

@@ -20,14 +20,14 @@ struct FittedLine {
 /// Orthogonal regression: the line through the centroid along the axis of largest variance, which
 /// minimises the sum of squared distances (Pearson 1901). The scatter across it, a 2x2 covariance,
 /// divided by the number of independent points gives its covariance; n points count as
-/// n / correlation independent ones. The result is empty for fewer than three points, or if all are in
-/// one place.
+/// n / correlation independent ones. The result is empty for fewer than three points, or if all are
+/// in one place.
 std::optional<FittedLine> fit_line(std::span<const Eigen::Vector3d> points, double correlation);
 
 /// The 3D line through the reliable points of the chains of a left segment with right ones: the
-/// orthogonal regression of fit_line(). The uncertainty of the first right line is added to its covariance,
-/// because all points of a link have it in common: it moves them along their rays and tilts their line.
-/// The result is empty for fewer than three reliable points.
+/// orthogonal regression of fit_line(). The uncertainty of the first right line is added to its
+/// covariance, because all points of a link have it in common: it moves them along their rays and
+/// tilts their line. The result is empty for fewer than three reliable points.
 std::optional<FittedLine> line_through_links(int left_id,
                                              std::span<const int> right_ids,
                                              const SearchedPair& pair,

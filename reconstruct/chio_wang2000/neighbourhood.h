@@ -25,19 +25,22 @@ struct Neighbour {
 /// The neighbours of each left segment, in the order in which they are tried.
 using Neighbourhood = std::vector<std::vector<Neighbour>>;
 
-/// The neighbours of each segment in its structures: their other members. Those of the strongest structure come first.
+/// The neighbours of each segment in its structures: their other members. Those of the strongest
+/// structure come first.
 Neighbourhood adjacent_segments(std::span<const Segment2> segments,
                                 std::span<const Structure> structures);
 
-/// The neighbours of each segment within `range_m`, nearest first. The range is converted to pixels by the size
-/// of the segment's pixels on the ground. There are none for a range of 0 or a segment without candidates.
+/// The neighbours of each segment within `range_m`, nearest first. The range is converted to pixels
+/// by the size of the segment's pixels on the ground. There are none for a range of 0 or a segment
+/// without candidates.
 Neighbourhood segments_in_range(std::span<const Segment2> segments,
                                 std::span<const CoreCandidates> candidates,
                                 double range_m);
 
-/// Compares the height of a candidate with that of a matched neighbour. Without allowance for noise,
-/// the mean heights of both lines are compared. With it, the heights where the two lines meet are compared; if they do
-/// not meet, the gap between the ranges of their heights counts. The noise of both then widens the limit.
+/// Compares the height of a candidate with that of a matched neighbour. Without allowance for
+/// noise, the mean heights of both lines are compared. With it, the heights where the two lines
+/// meet are compared; if they do not meet, the gap between the ranges of their heights counts. The
+/// noise of both then widens the limit.
 class NeighbourHeights {
  public:
   /// Both arguments must live as long as this object.

@@ -7,9 +7,9 @@
 
 namespace ridgeline::reconstruct {
 
-/// Iterative matching and linking in object space (Chio and Wang 2000, section 4). The thresholds are those of
-/// the paper, whose images have a ground pixel of 0.24 m; the length of a piece is in ground pixels here. What
-/// the paper does not state is marked "ours".
+/// Iterative matching and linking in object space (Chio and Wang 2000, section 4). The thresholds
+/// are those of the paper, whose images have a ground pixel of 0.24 m; the length of a piece is in
+/// ground pixels here. What the paper does not state is marked "ours".
 struct ChioOptions {
   double min_piece_gsd = 0.5;  ///< dP(i), 0.12 m in the paper: shorter pieces are not reliable
   double max_rate = 1.0;       ///< largest mean rate of height change, m/m

@@ -54,7 +54,8 @@ std::vector<Crossing> crossings_of(std::span<const Segment2> segments, const Chi
   return crossings;
 }
 
-/// Groups of crossings. Each group begins with its most precise crossing; the others lie within the radius of it.
+/// Groups of crossings. Each group begins with its most precise crossing; the others lie within the
+/// radius of it.
 std::vector<std::vector<Crossing>> grouped(const std::vector<Crossing>& crossings, double radius) {
   using Place = bg::model::d2::point_xy<double>;
   bg::index::rtree<std::pair<Place, std::size_t>, bg::index::quadratic<16>> first_of_groups;

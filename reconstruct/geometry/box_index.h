@@ -12,7 +12,8 @@
 
 namespace ridgeline {
 
-/// Finds boxes in plan by place: square cells list the boxes that touch them. Boxes may lie anywhere and have any size.
+/// Finds boxes in plan by place: square cells list the boxes that touch them. Boxes may lie
+/// anywhere and have any size.
 class BoxIndex {
  public:
   /// Empty boxes, and those with a coordinate that is not finite, are never found.

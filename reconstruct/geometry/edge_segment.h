@@ -13,8 +13,8 @@
 
 namespace ridgeline {
 
-/// The ideal (undistorted) pixel of a pixel of the file, or nothing outside of the field for which the
-/// distortion is known. An empty function means that both are the same.
+/// The ideal (undistorted) pixel of a pixel of the file, or nothing outside of the field for which
+/// the distortion is known. An empty function means that both are the same.
 using PixelMap = std::function<std::optional<Eigen::Vector2d>(const Eigen::Vector2d&)>;
 
 /// Look of a strip along one side of an edge: means of the normalised image (0 dark, 1 bright).

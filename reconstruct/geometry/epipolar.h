@@ -10,8 +10,8 @@
 
 namespace ridgeline {
 
-/// Camera from world to pixel; pixel (0,0) is the centre of the top-left pixel. The matrix has any scale and
-/// sign.
+/// Camera from world to pixel; pixel (0,0) is the centre of the top-left pixel. The matrix has any
+/// scale and sign.
 using ProjectionMatrix = Eigen::Matrix<double, 3, 4>;
 
 /// Homogeneous projection centre C (4, unit length): P C = 0.
@@ -33,13 +33,14 @@ Eigen::Vector3d point_on_plane(const ProjectionMatrix& image_from_world,
                                const Eigen::Vector2d& x_px,
                                const Plane3& plane_in_world);
 
-/// The camera for coordinates that are reduced to a local origin: P_local x_local ~ P (x_local + origin).
+/// The camera for coordinates that are reduced to a local origin: P_local x_local ~ P (x_local +
+/// origin).
 ProjectionMatrix image_from_local(const ProjectionMatrix& image_from_world,
                                   const Eigen::Vector3d& origin_m);
 
 /// F with x_to' F x_from = 0, of unit Frobenius norm; F x_from is the epipolar line of x_from in
-/// the image `to` (Hartley and Zisserman 2004, section 9.2.2). It has a meaning only for central cameras with
-/// different projection centres.
+/// the image `to` (Hartley and Zisserman 2004, section 9.2.2). It has a meaning only for central
+/// cameras with different projection centres.
 Eigen::Matrix3d fundamental_matrix(const ProjectionMatrix& from, const ProjectionMatrix& to);
 
 /// Distance of y from the epipolar line of x (F x) in the image of y.
@@ -47,8 +48,8 @@ double epipolar_distance_px(const Eigen::Matrix3d& fundamental,
                             const Eigen::Vector2d& x,
                             const Eigen::Vector2d& y);
 
-/// A line is `aligned` up to this angle to its epipolar line, unless the user says otherwise (Ok et al. 2011,
-/// section 3).
+/// A line is `aligned` up to this angle to its epipolar line, unless the user says otherwise (Ok et
+/// al. 2011, section 3).
 inline constexpr double kMaxAlignedAngle_deg = 10.0;
 
 /// Angle in [0, pi/2] between an image segment and the epipolar line through its midpoint, the join
@@ -65,8 +66,8 @@ double epipolar_angle_rad(const std::array<ProjectionMatrix, 2>& cameras,
 /// Angle in [0, pi/2] between a line seen by a pair of cameras and the epipolar line through its
 /// midpoint, the smaller one of both images; a line is `aligned` up to 10 degrees (Ok et al. 2011,
 /// section 3; the way to combine the two images is ours).
-/// With more than two cameras, the largest angle of all pairs is taken, because the best pair decides.
-/// Throws std::invalid_argument for fewer than two cameras.
+/// With more than two cameras, the largest angle of all pairs is taken, because the best pair
+/// decides. Throws std::invalid_argument for fewer than two cameras.
 double epipolar_angle_rad(std::span<const ProjectionMatrix> image_from_world,
                           const Segment3& segment_in_world);
 

@@ -5,9 +5,9 @@
 
 namespace ridgeline::reconstruct {
 
-/// The state after a Gauss-Newton step. The step is halved until the sum of squares does not grow, because
-/// the linear range is smaller than the step if conditions nearly coincide. Nothing if the sum grows for the
-/// smallest step as well.
+/// The state after a Gauss-Newton step. The step is halved until the sum of squares does not grow,
+/// because the linear range is smaller than the step if conditions nearly coincide. Nothing if the
+/// sum grows for the smallest step as well.
 /// @param sum            the sum of squares before the step, in standard deviations squared
 /// @param state_at       the state after a share of the step
 /// @param sum_of         the sum of squares of a state

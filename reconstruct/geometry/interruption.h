@@ -6,21 +6,22 @@
 
 namespace ridgeline {
 
-/// Thrown by a computation that was asked to stop. The computation then has no result, not even a partial
-/// one.
+/// Thrown by a computation that was asked to stop. The computation then has no result, not even a
+/// partial one.
 class Interrupted : public std::runtime_error {
  public:
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// Stops the long computations of this process on behalf of a program that must answer its user meanwhile (Ctrl-C in
-/// Python). Their loops call check(); the request stands until it is cleared.
+/// Stops the long computations of this process on behalf of a program that must answer its user
+/// meanwhile (Ctrl-C in Python). Their loops call check(); the request stands until it is cleared.
 class Interruption {
  public:
   static void request() { is_requested = true; }
   static void clear() { is_requested = false; }
   [[nodiscard]] static bool is_standing() { return is_requested; }
-  /// Throws Interrupted if a request stands. Any thread may call it; it costs no more than a read of memory.
+  /// Throws Interrupted if a request stands. Any thread may call it; it costs no more than a read
+  /// of memory.
   static void check() {
     if (is_requested.load(std::memory_order_relaxed)) throw Interrupted();
   }

@@ -23,8 +23,8 @@ struct ScoredMatch {
 /// A match and the name of the matcher that found it.
 struct FoundMatch {
   ScoredMatch scored;
-  /// "pairwise", "pairwise_height" (by the height of neighbours), "chio", "guided" (by the surface), or the
-  /// name of another tool; two names are joined by '+' if both found the match.
+  /// "pairwise", "pairwise_height" (by the height of neighbours), "chio", "guided" (by the
+  /// surface), or the name of another tool; two names are joined by '+' if both found the match.
   std::string matcher;
 };
 

@@ -99,7 +99,8 @@ std::optional<Eigen::Vector2d> undistorted_px(const InteriorOrientation& interio
   for (int i = 0; i < kMaxIterations; ++i) {
     const Eigen::Vector2d residual = distort(interior.distortion, x) - target;
     const Eigen::Matrix2d J = distortion_jacobian(interior.distortion, x);
-    // The radii shrink again beyond the fold of the polynomial, so a solution there is not the ideal pixel.
+    // The radii shrink again beyond the fold of the polynomial, so a solution there is not the
+    // ideal pixel.
     if (!(J.determinant() > 0.0)) return std::nullopt;
     if (residual.cwiseProduct(interior.focal_length_px).norm() <= kTolerancePx) {
       return pixel(interior, x);

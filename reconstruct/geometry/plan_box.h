@@ -38,8 +38,8 @@ inline double left_of_side(std::span<const Eigen::Vector2d> polygon,
   return side.x() * way.y() - side.y() * way.x();
 }
 
-/// Whether a point lies in a convex polygon whose corners run counter-clockwise, or on its border. Everything lies in a polygon
-/// without corners.
+/// Whether a point lies in a convex polygon whose corners run counter-clockwise, or on its border.
+/// Everything lies in a polygon without corners.
 inline bool is_within(std::span<const Eigen::Vector2d> polygon, const Eigen::Vector2d& x) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     if (left_of_side(polygon, i, x) < 0.0) return false;
@@ -47,7 +47,8 @@ inline bool is_within(std::span<const Eigen::Vector2d> polygon, const Eigen::Vec
   return true;
 }
 
-/// Whether a box and such a polygon have more than a border in common, or nearly so: a box beside a sharp corner may count.
+/// Whether a box and such a polygon have more than a border in common, or nearly so: a box beside a
+/// sharp corner may count.
 inline bool meets(std::span<const Eigen::Vector2d> polygon, const Eigen::AlignedBox2d& box) {
   const std::vector<Eigen::Vector2d> corners = corners_of(box);
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -10,9 +10,9 @@ namespace ridgeline {
 /// n'x + d = 0 with |n| = 1.
 using Plane3 = Eigen::Hyperplane<double, 3>;
 
-/// The same plane with its normal turned upwards. The normal of a vertical plane is turned towards increasing
-/// x, or towards increasing y if its x component is 0.
-/// Signed distances are comparable only between planes in this form.
+/// The same plane with its normal turned upwards. The normal of a vertical plane is turned towards
+/// increasing x, or towards increasing y if its x component is 0. Signed distances are comparable
+/// only between planes in this form.
 inline Plane3 upward(const Plane3& plane) {
   const Eigen::Vector3d n = plane.normal();
   const bool down = n.z() != 0.0 ? n.z() < 0.0 : (n.x() != 0.0 ? n.x() < 0.0 : n.y() < 0.0);

@@ -12,8 +12,9 @@ namespace ridgeline {
 /// The corners of a polygon in space; the last one is not the first one again.
 using Ring = std::vector<Eigen::Vector3d>;
 
-/// The normal of a ring by Newell's method, as long as its area; it needs no choice of three vertices. Seen from its tip, the ring runs
-/// counter-clockwise. Zero of fewer than three vertices. Relative to the first vertex, as world coordinates would cost digits.
+/// The normal of a ring by Newell's method, as long as its area; it needs no choice of three
+/// vertices. Seen from its tip, the ring runs counter-clockwise. Zero of fewer than three vertices.
+/// Relative to the first vertex, as world coordinates would cost digits.
 inline Eigen::Vector3d area_vector(const Ring& ring) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 1; i + 1 < ring.size(); ++i)

@@ -32,7 +32,8 @@ inline Eigen::Vector2d along(const Segment2& s) { return (s.end - s.start).norma
 /// n = (-u_y, u_x): points to the right side of the segment, as y runs down in an image.
 inline Eigen::Vector2d normal_of(const Eigen::Vector2d& u) { return {-u.y(), u.x()}; }
 inline Eigen::Vector2d normal(const Segment2& s) { return normal_of(along(s)); }
-/// Parameter of the foot of `x` on the infinite line of the segment, 0 at its start and 1 at its end.
+/// Parameter of the foot of `x` on the infinite line of the segment, 0 at its start and 1 at its
+/// end.
 inline double parameter_along(const Segment2& s, const Eigen::Vector2d& x) {
   const Eigen::Vector2d d = s.end - s.start;
   return d.dot(x - s.start) / d.squaredNorm();
@@ -51,7 +52,8 @@ inline Segment2 plan(const Segment3& s) { return {s.start.head<2>(), s.end.head<
 double closest_parameter(const Segment2& segment, const Eigen::Vector2d& x);
 double closest_parameter(const Segment3& segment, const Eigen::Vector3d& x);
 
-/// Distance from `x` to the segment, which ends at its end points: not the distance to the infinite line.
+/// Distance from `x` to the segment, which ends at its end points: not the distance to the infinite
+/// line.
 double distance(const Segment2& segment, const Eigen::Vector2d& x);
 double distance(const Segment3& segment, const Eigen::Vector3d& x);
 
@@ -70,8 +72,8 @@ std::optional<Eigen::Vector2d> intersection(const Segment2& a,
                                             const Segment2& b,
                                             double min_angle_rad);
 
-/// Whether two segments of an image are parts of one straight edge. They are if all their ends lie within the
-/// tolerance of the line between the two ends that are farthest apart.
+/// Whether two segments of an image are parts of one straight edge. They are if all their ends lie
+/// within the tolerance of the line between the two ends that are farthest apart.
 bool are_fragments(const Segment2& a, const Segment2& b, double tolerance_px = 1.5);
 
 }  // namespace ridgeline

@@ -16,11 +16,11 @@ class SegmentIndex {
  public:
   explicit SegmentIndex(std::span<const Segment2> segments);
 
-  /// The segments that may run through the box, in ascending order, each once. The result has all segments
-  /// that do and some that only pass nearby.
+  /// The segments that may run through the box, in ascending order, each once. The result has all
+  /// segments that do and some that only pass nearby.
   [[nodiscard]] std::vector<int> in_box(const Eigen::AlignedBox2d& box) const;
-  /// The segments that may run through the bounding box of a segment, grown by a margin, as in_box() finds
-  /// them.
+  /// The segments that may run through the bounding box of a segment, grown by a margin, as
+  /// in_box() finds them.
   [[nodiscard]] std::vector<int> near(const Segment2& segment, double margin_px) const;
 
  private:

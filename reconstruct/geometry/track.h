@@ -18,8 +18,8 @@ struct Sighting {
   friend auto operator<=>(const Sighting&, const Sighting&) = default;
 };
 
-/// The segments that show one edge. The first two are of different views, the base view of the track and its best
-/// partner. A view that shows the edge in pieces has several.
+/// The segments that show one edge. The first two are of different views, the base view of the
+/// track and its best partner. A view that shows the edge in pieces has several.
 struct Track {
   std::vector<Sighting> seen;
 };

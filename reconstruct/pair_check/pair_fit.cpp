@@ -13,7 +13,8 @@ namespace {
 
 using PointPair = std::array<Eigen::Vector2d, 2>;
 
-/// Where `other` shows the point that `own` shows at a pixel, from the lowest to the highest height.
+/// Where `other` shows the point that `own` shows at a pixel, from the lowest to the highest
+/// height.
 Segment2 between_heights(const ProjectionMatrix& own,
                          const ProjectionMatrix& other,
                          const Eigen::Vector2d& x_px,

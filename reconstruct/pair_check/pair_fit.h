@@ -17,18 +17,20 @@ namespace ridgeline::reconstruct {
 struct PairGeometry {
   std::array<ProjectionMatrix, 2> image_from_local;
   std::array<double, 2> heights_m{};  ///< lowest and highest height of objects
-  /// Functions that remove the distortion of the lenses; they give nothing outside of the field for which it
-  /// is known. Empty for a camera without distortion.
+  /// Functions that remove the distortion of the lenses; they give nothing outside of the field for
+  /// which it is known. Empty for a camera without distortion.
   std::array<std::function<std::optional<Eigen::Vector2d>(const Eigen::Vector2d&)>, 2>
       ideal_from_image;
 };
 
-/// How well points of a pair fit its cameras. Each distance is the mean of the distances in both images.
+/// How well points of a pair fit its cameras. Each distance is the mean of the distances in both
+/// images.
 struct PairFit {
   std::size_t n_points = 0;  ///< number of points that both cameras can have seen
   /// Median distance of a point from the epipolar line of its mate, px; NaN without points.
   double median_y_parallax_px = 0.0;
-  /// Share in [0, 1] of the points within the limit of the part of the epipolar line that the heights allow.
+  /// Share in [0, 1] of the points within the limit of the part of the epipolar line that the
+  /// heights allow.
   double share_that_fits = 0.0;
 };
 
@@ -45,15 +47,16 @@ struct PairReading {
   std::array<double, 2> scale{1.0, 1.0};  ///< 0.5: the file has half of the camera's pixels a side
 };
 
-/// The pixels at which the cameras saw a point of the files. `sizes_px`: width and height of the files.
+/// The pixels at which the cameras saw a point of the files. `sizes_px`: width and height of the
+/// files.
 PointMatch as_seen(const PointMatch& file_points,
                    const std::array<Eigen::Vector2i, 2>& sizes_px,
                    const PairReading& reading);
 
-/// The readings other than the plain one under which at least half of the points fit, and nearly as many as
-/// under the best reading. There may be several: if the epipolar lines are parallel, swapped images look like
-/// images that are both turned by 180 degrees. Simple readings come first. These are tried: swapped; one or
-/// both turned by one angle; one or both of half or double size.
+/// The readings other than the plain one under which at least half of the points fit, and nearly as
+/// many as under the best reading. There may be several: if the epipolar lines are parallel,
+/// swapped images look like images that are both turned by 180 degrees. Simple readings come first.
+/// These are tried: swapped; one or both turned by one angle; one or both of half or double size.
 std::vector<PairReading> fitting_readings(std::span<const PointMatch> points,
                                           const std::array<Eigen::Vector2i, 2>& sizes_px,
                                           const PairGeometry& geometry,

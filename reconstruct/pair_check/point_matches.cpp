@@ -15,8 +15,9 @@ struct Features {
   Eigen::Vector2d scale;  ///< pixels of the image per pixel of the reduced one
 };
 
-/// A grey image reduced to half of its size; a small image is reduced less, a large one more. The points get
-/// less exact the more an image is reduced, and the time grows with the number of pixels.
+/// A grey image reduced to half of its size; a small image is reduced less, a large one more. The
+/// points get less exact the more an image is reduced, and the time grows with the number of
+/// pixels.
 cv::Mat reduced_grey(const cv::Mat& image) {
   constexpr double kMinSide_px = 500.0;
   constexpr double kMaxSide_px = 1500.0;

@@ -10,8 +10,8 @@ namespace ridgeline::reconstruct {
 /// The options of tracks_of().
 struct TrackOptions {
   bool all_views = true;  ///< off: the first pair of views alone, as in the papers
-  /// Sigma of each end of a segment across its line, beside those of the two regression lines: edges that two
-  /// views show of one line are not quite the same.
+  /// Sigma of each end of a segment across its line, beside those of the two regression lines:
+  /// edges that two views show of one line are not quite the same.
   double sigma_edge_px = 0.3;
   double seen_share = 0.7;    ///< share of the views that show an edge if it is in their image
   double look_odds = 20.0;    ///< how much more often matches by their look are true than false

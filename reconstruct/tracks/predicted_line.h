@@ -12,7 +12,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// A line in the plane of a segment: the heights of the points that the view shows at the segment's ends.
+/// A line in the plane of a segment: the heights of the points that the view shows at the segment's
+/// ends.
 struct SegmentDepth {
   Eigen::Vector2d heights_m;
   Eigen::Matrix2d cov_m2;
@@ -26,7 +27,8 @@ struct PredictedLine {
 
 PredictedLine predict(const EndStretches& ends, const Eigen::Vector2d& heights_m);
 
-/// The interval of a segment's line that another segment covers, as parameters from its start (0) to its end (1).
+/// The interval of a segment's line that another segment covers, as parameters from its start (0)
+/// to its end (1).
 std::array<double, 2> span_on(const Segment2& line, const Segment2& other);
 
 /// How far a prediction is from a segment across it, at two places of the prediction.
@@ -53,8 +55,8 @@ Observation observe(const UncertainSegment2& own,
                     const std::array<double, 2>& at,
                     double sigma_edge_px);
 
-/// The heights that observations give together, by least squares. They are not finite if the observations do not
-/// tell them.
+/// The heights that observations give together, by least squares. They are not finite if the
+/// observations do not tell them.
 SegmentDepth depth_by(std::span<const Observation> observations);
 
 }  // namespace ridgeline::reconstruct

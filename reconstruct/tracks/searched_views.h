@@ -15,8 +15,8 @@ namespace ridgeline::reconstruct {
 /// Where a view shows the ends of a segment of another view, by their heights.
 using EndStretches = std::array<Stretch, 2>;
 
-/// The views of a scene whose segments are searched: each view's segments by place, the transfers between the
-/// views, and the matches by their look. It borrows the scene.
+/// The views of a scene whose segments are searched: each view's segments by place, the transfers
+/// between the views, and the matches by their look. It borrows the scene.
 class SearchedViews {
  public:
   SearchedViews(const Scene& scene, std::span<const MatchedPair> pairs);
@@ -41,7 +41,8 @@ class SearchedViews {
   [[nodiscard]] Segment3 object_segment(const Sighting& s, const Eigen::Vector2d& heights_m) const;
 
   enum class Look { kUnknown, kMatched, kMatchedElsewhere };
-  /// Whether two segments were matched by their look, or one of them with another segment of that view.
+  /// Whether two segments were matched by their look, or one of them with another segment of that
+  /// view.
   [[nodiscard]] Look look(const Sighting& a, const Sighting& b) const;
 
  private:

@@ -81,8 +81,8 @@ class Search {
     }
   }
 
-  /// The interval of the prediction that a segment shares with it; nothing if it is too short or the segment turns
-  /// away.
+  /// The interval of the prediction that a segment shares with it; nothing if it is too short or
+  /// the segment turns away.
   [[nodiscard]] std::optional<std::array<double, 2>> overlap(const PredictedLine& p,
                                                              const Segment2& seen) const {
     if (acute_angle_rad(seen, p.segment) > kMaxTurn_rad) return std::nullopt;

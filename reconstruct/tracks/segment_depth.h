@@ -23,28 +23,32 @@ using IsFree = std::function<bool(const Sighting&)>;
 
 /// Finds the line of a segment by the segments of all other views.
 ///
-/// Each segment of another view that crosses the segment's epipolar band, not nearly along it, gives a
-/// hypothesis: the intersection of their planes. The hypothesis predicts where the other views show the line,
-/// nearest view first. What a view shows there multiplies the odds of the hypothesis by
+/// Each segment of another view that crosses the segment's epipolar band, not nearly along it,
+/// gives a hypothesis: the intersection of their planes. The hypothesis predicts where the other
+/// views show the line, nearest view first. What a view shows there multiplies the odds of the
+/// hypothesis by
 ///
 ///     (1 - p) + p N(r; 0, S) / density
 ///
-/// with the share p of views that show an edge in their image (seen_share), the residuals r of the segment across
-/// the prediction at both ends of what they share, their covariance S, and the density of nearly parallel segments
-/// beside the prediction: where many run, one of them fits by chance. The hypothesis starts with the odds p / n of
-/// one of n candidates. A match by its look multiplies the odds by look_odds, a match with another segment divides
-/// them. Each sighting adds to the heights (least squares), so that the next prediction is sharper.
+/// with the share p of views that show an edge in their image (seen_share), the residuals r of the
+/// segment across the prediction at both ends of what they share, their covariance S, and the
+/// density of nearly parallel segments beside the prediction: where many run, one of them fits by
+/// chance. The hypothesis starts with the odds p / n of one of n candidates. A match by its look
+/// multiplies the odds by look_odds, a match with another segment divides them. Each sighting adds
+/// to the heights (least squares), so that the next prediction is sharper.
 ///
-/// The result is the hypothesis of the largest odds with three views or more, if it has min_log_odds, and if all
-/// hypotheses of other heights together are less likely by min_margin. Nothing otherwise.
+/// The result is the hypothesis of the largest odds with three views or more, if it has
+/// min_log_odds, and if all hypotheses of other heights together are less likely by min_margin.
+/// Nothing otherwise.
 std::optional<ProposedTrack> propose_track(const SearchedViews& views,
                                            const Sighting& reference,
                                            const CandidateOptions& candidates,
                                            const TrackOptions& options,
                                            const IsFree& is_free);
 
-/// Adds the pieces in which each view shows the line of a track. A piece lies on the line within chance, within the
-/// part that a view of the track shows, and beside no other segment of its view that the track has.
+/// Adds the pieces in which each view shows the line of a track. A piece lies on the line within
+/// chance, within the part that a view of the track shows, and beside no other segment of its view
+/// that the track has.
 void add_pieces(const SearchedViews& views,
                 const TrackOptions& options,
                 const IsFree& is_free,

@@ -114,7 +114,8 @@ void add_tracks_by_look(const Scene& scene,
   }
 }
 
-/// Puts two sightings of a matched pair first, base before search, and the others in ascending order.
+/// Puts two sightings of a matched pair first, base before search, and the others in ascending
+/// order.
 void order_sightings(std::span<const MatchedPair> pairs, Track& track) {
   std::ranges::sort(track.seen);
   for (const MatchedPair& pair : pairs) {

@@ -17,7 +17,8 @@ double middle_height_m(const Scene& scene) {
   return 0.5 * (scene.height_range_in_local_m[0] + scene.height_range_in_local_m[1]);
 }
 
-/// Share of a view's pixels whose points at the middle of the heights another view shows, by a grid of them.
+/// Share of a view's pixels whose points at the middle of the heights another view shows, by a grid
+/// of them.
 double shown_share(const View& view, const View& other, double height_m) {
   constexpr int kPerSide = 9;
   const Plane3 level(Eigen::Vector3d::UnitZ(), -height_m);
@@ -38,7 +39,8 @@ double shown_share(const View& view, const View& other, double height_m) {
 /// What is against a pair: less is better.
 struct PairCost {
   bool is_makeshift = false;  ///< the views show little in common
-  /// How far the base-to-height ratio is from the best one; of a makeshift how little the views show in common.
+  /// How far the base-to-height ratio is from the best one; of a makeshift how little the views
+  /// show in common.
   double value = 0.0;
 
   auto operator<=>(const PairCost&) const = default;

@@ -13,7 +13,8 @@ namespace ridgeline::reconstruct {
 
 /// Which right segments may be the mate of a left one.
 struct CandidateOptions {
-  /// If a segment is closer than this to the epipolar line, its end points are not transferred by geometry.
+  /// If a segment is closer than this to the epipolar line, its end points are not transferred by
+  /// geometry.
   double min_epipolar_angle_deg = 5.0;
   double max_turn_deg = 35.0;   ///< a steep line of a roof turns by up to 20 degrees between views
   double max_slope_deg = 50.0;  ///< largest slope of a roof; a match that implies more is wrong
@@ -53,18 +54,18 @@ struct Candidate {
 /// The candidates of each left segment, best first.
 using Candidates = std::vector<std::vector<Candidate>>;
 
-/// Changes the look of a candidate that is not near-aligned. Extensions beyond the paper enter here. It may
-/// be empty.
-/// `most_drop_m`: height of the lower end of the line above the lowest height of objects.
+/// Changes the look of a candidate that is not near-aligned. Extensions beyond the paper enter
+/// here. It may be empty. `most_drop_m`: height of the lower end of the line above the lowest
+/// height of objects.
 using CandidateLook = std::function<void(const ImagePair& images,
                                          const EdgePair& edges,
                                          const LocalTransfer& transfer,
                                          double most_drop_m,
                                          EdgeLook& look)>;
 
-/// The candidates of each left segment: right segments that overlap its epipolar band for the range of
-/// heights and whose direction and height are possible. The `max_candidates` whose single lines look most
-/// alike are kept, best first. Throws std::invalid_argument for options out of range.
+/// The candidates of each left segment: right segments that overlap its epipolar band for the range
+/// of heights and whose direction and height are possible. The `max_candidates` whose single lines
+/// look most alike are kept, best first. Throws std::invalid_argument for options out of range.
 Candidates match_candidates(const SearchedPair& pair,
                             const Radiometry& radiometry,
                             const CandidateOptions& options,

@@ -26,7 +26,8 @@ struct ProfileSample {
 double profile_half_width_px(double blur_px);
 
 /// The pixels up to `half_width` units beside a segment, without interpolation. Pixels next to its
-/// ends are left out, because corners disturb the profile there; a segment of a few pixels has none.
+/// ends are left out, because corners disturb the profile there; a segment of a few pixels has
+/// none.
 /// @param image    CV_32FC(n), n = 1..4
 /// @param unit_px  the unit of distances across: 1, or more for edges wider than a pixel
 std::vector<ProfileSample> profile_samples(const cv::Mat& image,
@@ -61,7 +62,8 @@ struct StepEquations {
 
   StepEquations(const StepBasis& basis, const BinnedProfile& profile);
 
-  /// By how much steps at two offsets reduce the sum of squares; 0 if the bins do not tell them apart.
+  /// By how much steps at two offsets reduce the sum of squares; 0 if the bins do not tell them
+  /// apart.
   [[nodiscard]] double gain(Eigen::Index i, Eigen::Index j) const;
 };
 

@@ -24,8 +24,8 @@ struct ConditionedView {
 /// homogeneous vector and of the matrix (Hartley and Zisserman 2004, result 6.1).
 bool in_front(const ConditionedView& view, const Eigen::Vector4d& point);
 
-/// The plane that an image shows as the line through x normal to `along`; its vector scales with the length
-/// of `along`.
+/// The plane that an image shows as the line through x normal to `along`; its vector scales with
+/// the length of `along`.
 inline Eigen::Vector4d plane_across(const ProjectionMatrix& image_from_object,
                                     const Eigen::Vector2d& x,
                                     const Eigen::Vector2d& along) {
@@ -41,7 +41,8 @@ struct ObservedLine {
   UncertainPlane3 plane;  ///< projection plane, spherically normalised
 };
 
-/// What the views show of one line, in the order of Track::seen: the base and its partner come first.
+/// What the views show of one line, in the order of Track::seen: the base and its partner come
+/// first.
 using ObservedTrack = std::vector<ObservedLine>;
 
 /// The views of a scene and the conditioning they share.
@@ -64,11 +65,11 @@ ObservedLine observe(const ConditionedViews& frames,
                      const UncertainSegment2& segment,
                      LineCovariance form);
 
-/// The conditioning of a patch, which is given by segments of all images that show about the same area. The
-/// patch gets unit size in each image and in object space. Images without segments keep their pixels. Its centre in object space is where the rays of
-/// the patch centres of the first two images with segments come closest.
-/// Throws std::invalid_argument for fewer than two images with segments, and for cameras whose rays are parallel
-/// there.
+/// The conditioning of a patch, which is given by segments of all images that show about the same
+/// area. The patch gets unit size in each image and in object space. Images without segments keep
+/// their pixels. Its centre in object space is where the rays of the patch centres of the first two
+/// images with segments come closest. Throws std::invalid_argument for fewer than two images with
+/// segments, and for cameras whose rays are parallel there.
 ConditionedViews condition(std::span<const ProjectionMatrix> cameras,
                            std::span<const std::vector<Segment2>> patch);
 

@@ -27,14 +27,16 @@ std::optional<EpipolarOverlap> overlap_of(const std::array<double, 2>& t,
   return overlap;
 }
 
-/// The height at which a stretch crosses the line through y that is normal to the epipolar direction.
+/// The height at which a stretch crosses the line through y that is normal to the epipolar
+/// direction.
 double height_beside(const Stretch& stretch,
                      const Eigen::Vector2d& direction,
                      const Eigen::Vector2d& y) {
   return stretch.height_on(direction, direction.dot(y));
 }
 
-/// The overlap if the left ends have the heights z; nothing if the transferred ends miss the right line.
+/// The overlap if the left ends have the heights z; nothing if the transferred ends miss the right
+/// line.
 std::optional<EpipolarOverlap> aligned_overlap(const SearchedSegment& left,
                                                const Segment2& right,
                                                const std::array<double, 2>& z,
@@ -87,8 +89,8 @@ std::optional<SearchedSegment> searched_segment(const StereoSearch& search,
   searched.end = search.right_from_left.stretch(left_segment.end);
   const Stretch centre = search.right_from_left.stretch(midpoint(left_segment));
   const Eigen::Vector2d per_height = centre.derivative(middle_m);
-  // If the third coordinate changes its sign within the range, the ray meets the plane of the projection
-  // centre.
+  // If the third coordinate changes its sign within the range, the ray meets the plane of the
+  // projection centre.
   const double depth =
       (centre.a.z() + lowest * centre.b.z()) * (centre.a.z() + highest * centre.b.z());
   if (!per_height.allFinite() || per_height.norm() <= 0.0 || !(depth > 0.0)) return std::nullopt;
@@ -159,8 +161,8 @@ bool may_share_mate(const OverlappedSegment& a, const OverlappedSegment& b) {
 }
 
 bool may_be_mates_of_one(const OverlappedSegment& a, const OverlappedSegment& b) {
-  // The tolerance is tight because windows run along the eave above them, in a wall that is a few pixels
-  // wide.
+  // The tolerance is tight because windows run along the eave above them, in a wall that is a few
+  // pixels wide.
   constexpr double kTolerance_px = 1.0;
   return !a.overlap.aligned && !b.overlap.aligned &&
          are_fragments(a.segment, b.segment, kTolerance_px) &&

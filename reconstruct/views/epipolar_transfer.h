@@ -19,8 +19,8 @@ struct Stretch {
   [[nodiscard]] Eigen::Vector2d at(double z_m) const { return (a + z_m * b).hnormalized(); }
   /// dy/dz, pixels per metre of height.
   [[nodiscard]] Eigen::Vector2d derivative(double z_m) const;
-  /// Height at which the stretch crosses the line n.y = c, |n| = 1. It is not finite if the line is parallel
-  /// to the stretch.
+  /// Height at which the stretch crosses the line n.y = c, |n| = 1. It is not finite if the line is
+  /// parallel to the stretch.
   [[nodiscard]] double height_on(const Eigen::Vector2d& n, double c) const;
 };
 
@@ -45,8 +45,8 @@ class EpipolarTransfer {
   Eigen::Matrix3d fundamental_;
 };
 
-/// The affine map that approximates the transfer near a point and a height: y(x0 + dx, z0 + dz) ~ y(x0, z0) +
-/// jacobian dx + per_height dz.
+/// The affine map that approximates the transfer near a point and a height: y(x0 + dx, z0 + dz) ~
+/// y(x0, z0) + jacobian dx + per_height dz.
 struct LocalTransfer {
   Eigen::Matrix2d jacobian;
   Eigen::Vector2d per_height;  ///< px/m
@@ -69,8 +69,8 @@ struct StereoSearch {
   EpipolarTransfer right_from_left, left_from_right;
   std::array<double, 2> height_range_m;
 
-  /// Throws std::invalid_argument for matrices or heights that are not finite, a range that is not lowest to
-  /// highest, or cameras without epipolar geometry.
+  /// Throws std::invalid_argument for matrices or heights that are not finite, a range that is not
+  /// lowest to highest, or cameras without epipolar geometry.
   StereoSearch(const ProjectionMatrix& left,
                const ProjectionMatrix& right,
                const std::array<double, 2>& height_range_in_local_m);

@@ -10,12 +10,12 @@
 
 namespace ridgeline::reconstruct {
 
-/// How alike the colours beside a line are, on the side that changes less, because occlusion changes the
-/// other one.
+/// How alike the colours beside a line are, on the side that changes less, because occlusion
+/// changes the other one.
 std::optional<double> colour_similarity(const EdgePair& edges, const Radiometry& radiometry);
 
-/// How alike the colour steps c and c' across the line are in direction and size: 1 - |c - c'| / (|c| +
-/// |c'|). Absent if neither image has a step.
+/// How alike the colour steps c and c' across the line are in direction and size: 1 - |c - c'| /
+/// (|c| + |c'|). Absent if neither image has a step.
 std::optional<double> contrast_similarity(const EdgePair& edges, const Radiometry& radiometry);
 
 /// The evidence for a match of two single lines, each measure in [0, 1] with 1 as the best.
@@ -38,9 +38,9 @@ LineMeasures line_measures(const EdgePair& edges,
                            const EdgeLook& look,
                            const Radiometry& radiometry);
 
-/// Probability of the match in [0, 1] by logistic regression over the measures. The regression is fitted to
-/// the candidates of the simulated training scenes (seeds 1 to 8), of which the simulated surfaces tell the
-/// right ones.
+/// Probability of the match in [0, 1] by logistic regression over the measures. The regression is
+/// fitted to the candidates of the simulated training scenes (seeds 1 to 8), of which the simulated
+/// surfaces tell the right ones.
 double line_similarity(const LineMeasures& measures);
 
 }  // namespace ridgeline::reconstruct

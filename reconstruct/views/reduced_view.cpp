@@ -41,7 +41,8 @@ cv::Point first_block_px(const Eigen::Vector2i& corner_px, int factor) {
   return {skipped(corner_px.x()), skipped(corner_px.y())};
 }
 
-/// From pixels of the reduced image to those of the image. The middle of a block is that of its pixels.
+/// From pixels of the reduced image to those of the image. The middle of a block is that of its
+/// pixels.
 PixelScale to_image_from_blocks(const cv::Point& first_px, int factor) {
   const double middle = 0.5 * (factor - 1.0);
   return {static_cast<double>(factor), {first_px.x + middle, first_px.y + middle}};

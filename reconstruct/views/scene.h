@@ -39,7 +39,8 @@ struct Scene {
   LocalFrame frame{};  ///< by default, local coordinates are those of the world
 };
 
-/// A pair of views ready to be matched. Their images are as normalised() makes them. It borrows the views.
+/// A pair of views ready to be matched. Their images are as normalised() makes them. It borrows the
+/// views.
 struct StereoPair {
   std::array<const View*, 2> views{};  ///< left (base), right
   std::array<double, 2> height_range_in_local_m{};
@@ -56,8 +57,8 @@ struct SearchedPair {
   StereoSearch search;
 };
 
-/// The local frame for a base view. Its origin is the point that the middle of the view shows at the mean
-/// height, rounded to 100 m.
+/// The local frame for a base view. Its origin is the point that the middle of the view shows at
+/// the mean height, rounded to 100 m.
 LocalFrame local_frame(const ProjectionMatrix& image_from_world,
                        const Eigen::Vector2d& size_px,
                        const std::array<double, 2>& height_range_m);
@@ -71,8 +72,8 @@ cv::Mat normalised(const View& view);
 /// Two views of the scene as a pair, which borrows them.
 StereoPair stereo_pair(const Scene& scene, const ViewPair& views);
 
-/// The pair with its transfer. Throws std::invalid_argument as StereoSearch does, and unless both images are
-/// CV_32F of 1 to 4 bands, the same number in both, and at least 2 x 2 pixels.
+/// The pair with its transfer. Throws std::invalid_argument as StereoSearch does, and unless both
+/// images are CV_32F of 1 to 4 bands, the same number in both, and at least 2 x 2 pixels.
 SearchedPair searched(const StereoPair& pair);
 
 /// The segments of a view in ideal pixels.

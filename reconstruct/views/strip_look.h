@@ -38,8 +38,8 @@ struct SideLook {
   /// Difference of the mean colours, root mean square over the bands.
   double colour_difference = 0.0;
 
-  /// How well the mean colours agree: 1 for equal colours, 1/e for a difference of a twentieth of the grey
-  /// values.
+  /// How well the mean colours agree: 1 for equal colours, 1/e for a difference of a twentieth of
+  /// the grey values.
   [[nodiscard]] double colour_agreement() const;
   /// How well texture and colour agree together, 0..2.
   [[nodiscard]] double agreement() const { return std::max(0.0, ncc) + colour_agreement(); }
@@ -56,8 +56,9 @@ struct StripGrid {
   bool with_profile = true;
 };
 
-/// Where the rows of a strip start on the line in both images, in file pixels, and the vectors that lead one
-/// step to the side: a pixel of the reduced image in which the softer one of both edges was found.
+/// Where the rows of a strip start on the line in both images, in file pixels, and the vectors that
+/// lead one step to the side: a pixel of the reduced image in which the softer one of both edges
+/// was found.
 struct StripFrame {
   std::vector<Eigen::Vector2d> on_left, on_right;
   Eigen::Vector2d side_in_left, side_in_right;
@@ -71,8 +72,8 @@ struct EdgePair {
   const EpipolarOverlap& overlap;
 };
 
-/// The rows of the strips along the epipolar overlap of two segments, every 1.5 steps, but at least 4 and at
-/// most `most_along`. The caller sets `side_in_right`.
+/// The rows of the strips along the epipolar overlap of two segments, every 1.5 steps, but at least
+/// 4 and at most `most_along`. The caller sets `side_in_right`.
 StripFrame strip_frame(const EdgePair& edges, int most_along);
 
 /// Colours beside a line, row by row along it. Samples outside of the image have no colour.
@@ -88,7 +89,8 @@ Strip sample_strip(const ImageSampler& image,
                    const Eigen::Vector2d& side,
                    const StripGrid& grid);
 
-/// Mean colours of a strip at each offset from the line; empty if a sample lies outside of the image.
+/// Mean colours of a strip at each offset from the line; empty if a sample lies outside of the
+/// image.
 std::vector<Colour> mean_profile(const Strip& strip, const StripGrid& grid);
 
 /// Compares strips of one grid. Nothing if more than half of the samples lie outside of one of the
@@ -109,8 +111,8 @@ struct BandSums {
     ab += x * y;
   }
 };
-/// Normalised cross correlation of all bands together. `noise_variance` of a band damps it if there is little
-/// texture. It is 0 if a side has no variance at all.
+/// Normalised cross correlation of all bands together. `noise_variance` of a band damps it if there
+/// is little texture. It is 0 if a side has no variance at all.
 double correlation(std::span<const BandSums> bands, int n_samples, double noise_variance = 0.0);
 /// Normalised cross correlation of all bands together of two profiles of one length.
 double correlation(std::span<const Colour> a,

@@ -26,7 +26,8 @@ UncertainSegment2 registered(const UncertainSegment2& segment, const Registratio
   return moved;
 }
 
-/// Parameter at which the epipolar line of a point of the partner's image crosses the line of a base segment.
+/// Parameter at which the epipolar line of a point of the partner's image crosses the line of a
+/// base segment.
 double epipolar_crossing(const Segment2& base,
                          const Eigen::Vector2d& in_partner,
                          const Eigen::Matrix3d& partner_from_base) {
@@ -36,8 +37,8 @@ double epipolar_crossing(const Segment2& base,
   return at_start / (at_start - at_end);
 }
 
-/// Keeps the part of the base segment that shows what its partner shows. Otherwise a segment with several
-/// fragments as partners would give each of their lines its whole length.
+/// Keeps the part of the base segment that shows what its partner shows. Otherwise a segment with
+/// several fragments as partners would give each of their lines its whole length.
 void clip_to_partner(ObservedTrack& track, const Eigen::Matrix3d& partner_from_base) {
   // Share of the segment; the epipolar lines run along it if the part is shorter.
   constexpr double kMinShare = 0.02;

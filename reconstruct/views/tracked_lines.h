@@ -13,8 +13,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// The correction of the place of a segment, found by comparing the images beside it and beside the track's
-/// base segment.
+/// The correction of the place of a segment, found by comparing the images beside it and beside the
+/// track's base segment.
 struct Registration {
   double shift_px = 0.0;     ///< along n = (-u_y, u_x) of the segment
   double sigma_scale = 1.0;  ///< factor of its sigma_q and sigma_phi
@@ -34,11 +34,12 @@ struct TrackedSegments {
 using Sightings =
     std::vector<UncertainSegment2>;  ///< the segments of a track, in the order of Track::seen
 
-/// The segments of each track as they were extracted. Throws std::invalid_argument for an index out of range
-/// and for a track whose first two sightings are not of two views.
+/// The segments of each track as they were extracted. Throws std::invalid_argument for an index out
+/// of range and for a track whose first two sightings are not of two views.
 std::vector<Sightings> extracted(const TrackedSegments& tracked);
 
-/// The segments of each track, corrected by its registrations if there are any. Throws as extracted() does.
+/// The segments of each track, corrected by its registrations if there are any. Throws as
+/// extracted() does.
 std::vector<Sightings> registered(const TrackedSegments& tracked);
 
 /// The lines of tracks in the conditioned frames, ready for estimation.
@@ -48,8 +49,8 @@ struct TrackedLines {
   std::array<double, 2> height_range_in_local_m{};
 };
 
-/// The tracks in the conditioned frames of the patch, which the extracted segments define. If a base segment
-/// belongs to several tracks, each gets the part that its partner shows.
+/// The tracks in the conditioned frames of the patch, which the extracted segments define. If a
+/// base segment belongs to several tracks, each gets the part that its partner shows.
 /// @param observed  the segments of each track that are used
 /// Throws as condition() and observe() do.
 TrackedLines tracked_lines(const TrackedSegments& tracked,
@@ -72,8 +73,8 @@ std::vector<SeenTogether> seen_together(const ObservedTrack& line, const Observe
 
 using Neighbours = std::vector<std::vector<int>>;  ///< by track, ascending
 
-/// The tracks that each track is connected with. Throws std::invalid_argument for an index out of range and
-/// for a track connected with itself.
+/// The tracks that each track is connected with. Throws std::invalid_argument for an index out of
+/// range and for a track connected with itself.
 Neighbours neighbours_of(std::span<const PairConnection> connections, std::size_t num_tracks);
 
 }  // namespace ridgeline::reconstruct

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// ablation FOLDER [VAIHINGEN_PATCH]: what each extension beyond the papers is worth. Leaves out one at a time, on the
-// training villages (seeds 1 to 8 and 21 to 28) and on seeds 1 to 10 of the other renderer. ablation FOLDER --views VIEWS:
-// on seeds 1 to 3 of both with the views that `simulate --views` knows, strip:3,cross:2 for example. Prints Markdown
-// tables: matches, roof lines found, errors by class against true lines, z against LIDAR, elapsed time, and the difference to the default
-// with a 95 % interval by bootstrap over the scenes. Vaihingen has LIDAR alone: the interval there is that of the
-// clustered bootstrap over planes.
+// ablation FOLDER [VAIHINGEN_PATCH]: what each extension beyond the papers is worth. Leaves out one
+// at a time, on the training villages (seeds 1 to 8 and 21 to 28) and on seeds 1 to 10 of the other
+// renderer. ablation FOLDER --views VIEWS: on seeds 1 to 3 of both with the views that `simulate
+// --views` knows, strip:3,cross:2 for example. Prints Markdown tables: matches, roof lines found,
+// errors by class against true lines, z against LIDAR, elapsed time, and the difference to the
+// default with a 95 % interval by bootstrap over the scenes. Vaihingen has LIDAR alone: the
+// interval there is that of the clustered bootstrap over planes.
 #include "tests/other_scenes/write_scene.h"
 #include "tests/support/csv_rows.h"
 #include "tests/support/paths.h"
@@ -167,7 +168,8 @@ const std::vector<Measure>& measures() {
   return all;
 }
 
-/// 95 % interval of the difference of a measure of all scenes, both variants on the same scenes drawn with replacement.
+/// 95 % interval of the difference of a measure of all scenes, both variants on the same scenes
+/// drawn with replacement.
 std::array<double, 2> interval(const Measure& measure, const Scenes& with, const Scenes& without) {
   constexpr int kReplicates = 2000;
   std::mt19937_64 random(1);
@@ -186,7 +188,8 @@ std::array<double, 2> interval(const Measure& measure, const Scenes& with, const
   return {differences[kReplicates / 40], differences[kReplicates - 1 - kReplicates / 40]};
 }
 
-/// Runs all variants on the patches; the results of each in a folder of its name. Returns their processor times.
+/// Runs all variants on the patches; the results of each in a folder of its name. Returns their
+/// processor times.
 std::map<std::string, double> run_variants(const fs::path& folder,
                                            const std::vector<std::string>& patches) {
   std::map<std::string, double> seconds;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is told of the exact models of villages, and of models with one wrong face, against scans at usual angles.
+// What is told of the exact models of villages, and of models with one wrong face, against scans at
+// usual angles.
 #include "apps/simulate/als.h"
 #include "apps/simulate/village.h"
 #include "evaluate/faces/building_table.h"

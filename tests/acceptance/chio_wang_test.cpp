@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The test of Chio and Wang 2000, section 4, on simulated images of its geometry (pixels of 0.24 m,
 // B/H 0.6, 180 x 180 and 225 x 180 pixels, dense housing): the lines of the first two processes and
-// what the iteration adds, beside the numbers of the paper, whose images and housing are others. The
-// one threshold of ours that decides most, min_similarity, was set on seeds 1 to 12 and 201 to 230.
+// what the iteration adds, beside the numbers of the paper, whose images and housing are others.
+// The one threshold of ours that decides most, min_similarity, was set on seeds 1 to 12 and 201 to
+// 230.
 #include "tests/support/csv_rows.h"
 #include "tests/support/paths.h"
 #include "tests/support/run_program.h"

@@ -34,7 +34,8 @@ struct HardLine {
   std::string kind;            ///< `ridge`, ..., `foot`, `wall_top`; `object` has no plane
   std::vector<Plane3> planes;  ///< its true surfaces
   std::vector<int> returns;    ///< per plane: laser returns on it within 1.5 m of the line, in plan
-  /// The top that a level edge of an object borders: a judge that finds its few points is right, too.
+  /// The top that a level edge of an object borders: a judge that finds its few points is right,
+  /// too.
   std::optional<Plane3> top_of_object;
 };
 
@@ -55,9 +56,10 @@ struct HardSurvey {
 /// `ridgeline simulate` and tests/other_scenes.
 enum class Renderer { kVillage, kOther };
 
-/// Every second village falls by 4 degrees in place of 2; every third one has terraces of 1.5 m. Whole runs:
-/// `ridgeline simulate --clutter --seed SEED --terrain-slope-deg ... --terrace-step-m ...` makes the same scene, and
-/// `other_scene FOLDER SEED VIEWS hard` that of hard_survey_of_other_scene().
+/// Every second village falls by 4 degrees in place of 2; every third one has terraces of 1.5 m.
+/// Whole runs: `ridgeline simulate --clutter --seed SEED --terrain-slope-deg ... --terrace-step-m
+/// ...` makes the same scene, and `other_scene FOLDER SEED VIEWS hard` that of
+/// hard_survey_of_other_scene().
 inline simulate::VillageOptions hard_village(std::uint64_t seed) {
   simulate::VillageOptions options;
   options.seed = seed;
@@ -95,7 +97,8 @@ inline HardSurvey survey_of_village(const simulate::VillageOptions& options,
   return survey;
 }
 
-/// Points on a face within 1.5 m of a line, as observe_lines() counts them. `points` are sorted by x.
+/// Points on a face within 1.5 m of a line, as observe_lines() counts them. `points` are sorted by
+/// x.
 inline int returns_near(const std::vector<Eigen::Vector3d>& points,
                         const other::Face& face,
                         const Segment3& line) {

@@ -91,9 +91,9 @@ void record(const std::string& name, const Tally& tally) {
   property("right_kind_percent", tally.of_evaluated_percent(tally.n_right_kind));
 }
 
-/// Least shares, in percent. Those of lines at their place at 5 points/m2 are what the judge promises; the others stand just
-/// below what was measured, so that a loss is noticed. A line that is 0.4 m too high lies between a marking and the car beside
-/// it, and is ambiguous.
+/// Least shares, in percent. Those of lines at their place at 5 points/m2 are what the judge
+/// promises; the others stand just below what was measured, so that a loss is noticed. A line that
+/// is 0.4 m too high lies between a marking and the car beside it, and is ambiguous.
 struct Bounds {
   double evaluated, within_2_cm, within_5_cm, right_kind;
 };
@@ -107,8 +107,8 @@ void expect_at_least(const Bounds& bounds, const Tally& tally, const std::string
 }
 
 /// A line metres above its roof, as from a wrong match of images, is judged by that roof: its
-/// distance is then the height times the vertical component of the plane's normal. It is wrong beside a car, too, but may be
-/// judged by the ground or by the car.
+/// distance is then the height times the vertical component of the plane's normal. It is wrong
+/// beside a car, too, but may be judged by the ground or by the car.
 void expect_judged_from_above(const Tally& tally,
                               double evaluated_percent,
                               double within_30_cm_percent) {

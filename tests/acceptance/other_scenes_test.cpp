@@ -4,10 +4,11 @@
 // Nothing is calibrated on seeds from 101 on; keep it so.
 //
 // The limits keep what is reached, less a few matches (measured: correctness 97.7 %, completeness
-// 96.2 %, quality 94.1 %; 76 % of the roof lines by `joint`, 77 % by `network`; not_aligned lines to
-// 0.110 m, aligned ones to 0.37 m with 2.0 % of gross errors). False matches are mostly edges of roofs
-// with the foot of a wall that one image alone shows, both verges of a gable that lie on one epipolar
-// line, and both sides of fences; gross errors are half-hipped ends and garden walls along the base.
+// 96.2 %, quality 94.1 %; 76 % of the roof lines by `joint`, 77 % by `network`; not_aligned lines
+// to 0.110 m, aligned ones to 0.37 m with 2.0 % of gross errors). False matches are mostly edges of
+// roofs with the foot of a wall that one image alone shows, both verges of a gable that lie on one
+// epipolar line, and both sides of fences; gross errors are half-hipped ends and garden walls along
+// the base.
 #include "io/project/matches_file.h"
 #include "tests/other_scenes/edge_profile.h"
 #include "tests/other_scenes/write_scene.h"

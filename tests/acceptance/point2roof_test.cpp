@@ -71,8 +71,8 @@ class Point2Roof : public ::testing::TestWithParam<int> {
   io::PointCloud cloud_;
 };
 
-// The points of roof 2 are off its truth by 3 cm in the median (the data's README): there, and there only, a model may lie
-// closer to the points than the truth.
+// The points of roof 2 are off its truth by 3 cm in the median (the data's README): there, and
+// there only, a model may lie closer to the points than the truth.
 constexpr int kRoofWithShiftedPoints = 2;
 constexpr double kShift_m = 0.032;
 

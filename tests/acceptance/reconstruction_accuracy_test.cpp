@@ -2,10 +2,10 @@
 // From rendered images to Tables 1 and 2 on villages that no weight was fitted to: the figures that
 // the README states. Seeds 1 to 8 are for calibration.
 //
-// The limits keep what is reached (measured: correctness 99.0 %, completeness 98.5 %, quality 97.5 %;
-// 78 % of the roof lines; not_aligned lines to 0.101 m by `joint` and 0.091 m by `network`, aligned ones
-// to 0.20 m without gross errors of 195), less a few matches. What is aimed at is more: 85 % of the roof
-// lines; not_aligned lines to 0.06 m; aligned lines to 0.15 m.
+// The limits keep what is reached (measured: correctness 99.0 %, completeness 98.5 %, quality 97.5
+// %; 78 % of the roof lines; not_aligned lines to 0.101 m by `joint` and 0.091 m by `network`,
+// aligned ones to 0.20 m without gross errors of 195), less a few matches. What is aimed at is
+// more: 85 % of the roof lines; not_aligned lines to 0.06 m; aligned lines to 0.15 m.
 #include "tests/support/csv_rows.h"
 #include "tests/support/paths.h"
 #include "tests/support/run_program.h"
@@ -143,7 +143,8 @@ TEST_F(ReconstructionAccuracy, HoldsOnVillagesThatNothingWasCalibratedOn) {
       EXPECT_LE(tested.beyond_share(), line_class == "aligned" ? 0.11 : 0.06) << method;
     }
   }
-  // LIDAR judges three times as many lines as have a true one (cars, fences, paving): it must see the gain, too.
+  // LIDAR judges three times as many lines as have a true one (cars, fences, paving): it must see
+  // the gain, too.
   EXPECT_LE(lidar["joint not_aligned"].rms(), 0.12);
   EXPECT_LE(lidar["joint not_aligned"].rms(), 0.95 * lidar["direct not_aligned"].rms());
 

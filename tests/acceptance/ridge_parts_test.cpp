@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The horizontal and vertical parts of how far ridges and hips lie from their roofs, over whole simulated
-// villages whose true lines are moved by known vectors; 5 points/m2, noise of 3.4 cm.
+// The horizontal and vertical parts of how far ridges and hips lie from their roofs, over whole
+// simulated villages whose true lines are moved by known vectors; 5 points/m2, noise of 3.4 cm.
 #include "evaluate/judge/ridge_displacement.h"
 #include "tests/acceptance/simulated_survey.h"
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the steps of a composite action as GitHub's runner does, on this machine or in a root folder.
+"""Runs the steps of a composite action as GitHub's runner does, on this machine or in a root
+folder.
 
-It knows what action.yml uses, and anything else is an error: `run` steps with bash, actions/upload-artifact, and
-conditions of always(), inputs and outputs of steps, joined by &&.
+It knows what action.yml uses, and anything else is an error: `run` steps with bash,
+actions/upload-artifact, and conditions of always(), inputs and outputs of steps, joined by &&.
 """
 import os
 import re
@@ -13,7 +14,8 @@ from pathlib import Path
 
 import yaml
 
-# .ci/packages exports this function, which runs a command in the root folder with a clean environment
+# .ci/packages exports this function, which runs a command in the root folder with a clean
+# environment
 IN_ROOT = ["bash", "-c", 'in_root "$@"', "in_root"]
 
 
@@ -27,7 +29,9 @@ class Result:
 
 
 class Machine:
-    """Where the steps run: its folder `home` holds the workspace, the action and the runner's files."""
+    """Where the steps run: its folder `home` holds the workspace, the action and the runner's
+    files.
+    """
 
     def __init__(self, home, root=None, path=None):
         self.home, self.root, self.path = Path(home), root, path

@@ -2,7 +2,8 @@
 """action.yml, run step by step as GitHub would, and the job that the README prints.
 
 test_action.py --program FOLDER --work FOLDER  with the program of a build, which is put on PATH
-test_action.py --root FOLDER --package FILE    in a clean system; the action installs the package (see .ci/packages)
+test_action.py --root FOLDER --package FILE    in a clean system; the action installs the package
+(see .ci/packages)
 """
 import argparse
 import re

@@ -29,8 +29,9 @@ const std::map<std::string, Folders>& lists() {
   return lists;
 }
 
-/// What the files of a folder may include beside the folder itself. The papers never see what goes beyond them; the judge
-/// never sees the judged, nor a reader the judge; Python links no command line.
+/// What the files of a folder may include beside the folder itself. The papers never see what goes
+/// beyond them; the judge never sees the judged, nor a reader the judge; Python links no command
+/// line.
 const std::map<std::string, Folders>& allowed() {
   static const std::map<std::string, Folders> folders{
       {"reconstruct/geometry", {}},
@@ -91,7 +92,8 @@ const std::map<std::string, Folders>& allowed() {
   return folders;
 }
 
-/// Of a folder of `apps` that is not in allowed(): a command. Those that run a patch and write its report use these two.
+/// Of a folder of `apps` that is not in allowed(): a command. Those that run a patch and write its
+/// report use these two.
 const Folders& allowed_to_commands() {
   static const Folders folders{"apps/common", "apps/pipeline", "apps/run", "apps/report",
                                "<method>",    "<judge>",       "<readers>"};

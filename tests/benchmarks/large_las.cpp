@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes a large LAS and lines to judge against it, to measure time and memory of the program:
 //   large_las FOLDER [MILLIONS_OF_POINTS [LINES]]
-// gives FOLDER/town.las (30 bytes a point; 70 million points are 2.1 GB) and FOLDER/lines.csv: gabled
-// houses in a square raster with 5 points/m2, and ridges and eaves of some spread over it.
+// gives FOLDER/town.las (30 bytes a point; 70 million points are 2.1 GB) and FOLDER/lines.csv:
+// gabled houses in a square raster with 5 points/m2, and ridges and eaves of some spread over it.
 #include "io/cloud/las_writer.h"
 #include "tests/support/sampled_roof.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the judge adds to PCL's plane segmentation: displaced true lines of simulated villages, whose distance
-// to their planes is known. Prints the table of docs/pcl.md.
+// What the judge adds to PCL's plane segmentation: displaced true lines of simulated villages,
+// whose distance to their planes is known. Prints the table of docs/pcl.md.
 #include "evaluate/judge/footprint.h"
 #include "evaluate/judge/line_to_plane_evaluation.h"
 #include "evaluate/judge/segment_plane.h"

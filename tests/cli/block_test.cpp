@@ -39,7 +39,8 @@ class Block : public OrientedPatch {
               images, area(), more));
   }
 
-  /// The box of the true lines, moved so that squares of 20 m cut it into four, with slivers of 4 m.
+  /// The box of the true lines, moved so that squares of 20 m cut it into four, with slivers of 4
+  /// m.
   [[nodiscard]] std::string area() const { return "[513004, 5403004, 513044, 5403044]"; }
 
   [[nodiscard]] ProgramResult block(const std::string& out,
@@ -49,7 +50,8 @@ class Block : public OrientedPatch {
     return run(words);
   }
 
-  /// Lines have their midpoint in the area, and image segments where the whole frames show the lines.
+  /// Lines have their midpoint in the area, and image segments where the whole frames show the
+  /// lines.
   void expect_lines_of_the_area(const std::string& lines) const {
     constexpr double kNear_px = 3.0;       // a forgotten corner of a window is ten times that
     constexpr double kMinNearShare = 0.9;  // some segments are longer than their line

@@ -52,15 +52,16 @@ class Cli : public testing::Test {
                                        const std::vector<std::string>& more = {}) const;
   [[nodiscard]] std::filesystem::path path(std::string_view name) const { return folder_ / name; }
 
-  /// Hashes of all files of a result folder but the run's record, hidden ones too, by relative name.
+  /// Hashes of all files of a result folder but the run's record, hidden ones too, by relative
+  /// name.
   [[nodiscard]] std::map<std::string, std::string> results_in(const std::string& folder) const;
 
  private:
   std::filesystem::path folder_;
 };
 
-/// A fixture with a patch of the id 1 in `patch/`: a small village, since many of its tests run it several times.
-/// The program makes it once for all tests.
+/// A fixture with a patch of the id 1 in `patch/`: a small village, since many of its tests run it
+/// several times. The program makes it once for all tests.
 class SmallPatch : public Cli {
  protected:
   SmallPatch();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Four real images that are tilted in four directions, with the distortion of their lens, and a surface model of their survey.
+// Four real images that are tilted in four directions, with the distortion of their lens, and a
+// surface model of their survey.
 #include "tests/cli/cli_fixture.h"
 
 #include <fmt/format.h>
@@ -14,8 +15,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// The interior orientation in the words of a patch file, of a camera as OpenSfM states it: in units of the longer side,
-/// the principal point from the middle of the image.
+/// The interior orientation in the words of a patch file, of a camera as OpenSfM states it: in
+/// units of the longer side, the principal point from the middle of the image.
 std::string interior_of(const nlohmann::json& camera) {
   const double width = camera["width"];
   const auto px = [&](const char* key) { return width * camera[key].get<double>(); };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Line files as people have them, judged as a user does: the same lines in another dress have the same figures.
+// Line files as people have them, judged as a user does: the same lines in another dress have the
+// same figures.
 #include "tests/cli/cli_fixture.h"
 
 #include <fmt/format.h>

@@ -132,7 +132,8 @@ TEST_F(Models, DoNotDependOnTheMemoryForPoints) {
 }
 
 TEST_F(Models, LowerRoofsAreJudgedByTheirOwnPlaneAlsoInPieces) {
-  // A flat roof whose level part at a wall is 3 m lower than the house behind; the lower one is two faces side by side.
+  // A flat roof whose level part at a wall is 3 m lower than the house behind; the lower one is two
+  // faces side by side.
   const auto write_house = [&](int n_pieces) {
     io::BuildingModel model;
     model.crs = {"EPSG:25832"};

@@ -54,7 +54,8 @@ inline std::string camera_entry(const std::string& name,
       name, camera.focal_length_px, image.width_px, image.height_px, offset.x(), -offset.y());
 }
 
-/// The small patch and, beside it, oriented.yaml: the same with a table of orientations and a file of cameras.
+/// The small patch and, beside it, oriented.yaml: the same with a table of orientations and a file
+/// of cameras.
 class OrientedPatch : public SmallPatch {
  protected:
   OrientedPatch() { write_orientation("omega_deg,phi_deg,kappa_deg", 0.0); }

@@ -20,7 +20,8 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// A small village in three images. Their segments are those of `extract`, of which files have nothing but ids and ends.
+/// A small village in three images. Their segments are those of `extract`, of which files have
+/// nothing but ids and ends.
 class OwnSegments : public Cli {
  protected:
   void SetUp() override {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plans that are not true to scale, heights above the ellipsoid, bounds in the cloud's own coordinates.
+// Plans that are not true to scale, heights above the ellipsoid, bounds in the cloud's own
+// coordinates.
 #include "io/cloud/las_writer.h"
 #include "tests/cli/cli_fixture.h"
 

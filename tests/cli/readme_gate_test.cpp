@@ -45,7 +45,8 @@ std::string product_in(const fs::path& patch_folder) {
 
 class ReadmeGate : public Cli {
  protected:
-  /// Moves the lines of a patch by half a metre and evaluates them again in place of what was there.
+  /// Moves the lines of a patch by half a metre and evaluates them again in place of what was
+  /// there.
   void worsen(const std::string& results, const std::string& patch_id) const {
     constexpr double kShift_m = 0.5;  // far above 0.30 m, the limit in the README
     const fs::path folder = path(results) / patch_id;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A shift that all lines have against the LIDAR planes: reported with its interval, and taken away only with --apply-shift.
+// A shift that all lines have against the LIDAR planes: reported with its interval, and taken away
+// only with --apply-shift.
 #include "io/cloud/las_writer.h"
 #include "io/cloud/read_cloud.h"
 #include "tests/cli/run_fixture.h"

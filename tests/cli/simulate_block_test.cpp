@@ -96,7 +96,8 @@ std::multiset<std::tuple<long, long, long>> points_mm(const std::string& pattern
   return points;
 }
 
-/// How many pixels beside the image of a line a picture has its steepest change, of those up to four; and that change.
+/// How many pixels beside the image of a line a picture has its steepest change, of those up to
+/// four; and that change.
 struct SteepestPlace {
   int beside_px = 0;
   double change = 0.0;
@@ -171,7 +172,8 @@ TEST_F(SimulateBlock, ShowsEveryPointOfItsAreaInTwoFramesOrMore) {
   EXPECT_TRUE(shown_m.contains(Eigen::Vector2d(area_m[2], area_m[3])));
 }
 
-/// True lines are where the frames have edges, by the cameras that a reader of the orientation gets.
+/// True lines are where the frames have edges, by the cameras that a reader of the orientation
+/// gets.
 TEST_F(SimulateBlock, DrawsTheTrueLinesWhereItsOrientationSaysThatTheyAre) {
   constexpr double kMinChange = 15.0;  // grey values; a roof may look like its garden
   constexpr double kMinLength_px = 25.0;

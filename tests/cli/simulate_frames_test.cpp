@@ -39,7 +39,8 @@ class SimulateFrames : public Cli {
   }
 };
 
-/// The largest distance of the pixels at which two cameras see the corners of the first one's image on a plane.
+/// The largest distance of the pixels at which two cameras see the corners of the first one's image
+/// on a plane.
 double largest_px(const io::PatchImage& a, const io::PatchImage& b) {
   const io::ImageFacts facts = io::image_facts(a.path);
   const Eigen::Vector3d centre = projection_centre(a.image_from_world).hnormalized();
@@ -57,7 +58,8 @@ double largest_px(const io::PatchImage& a, const io::PatchImage& b) {
   return largest;
 }
 
-/// A table, one without cameras that needs a word, and one with poses on the Earth; write_orientation_test.cpp has all.
+/// A table, one without cameras that needs a word, and one with poses on the Earth;
+/// write_orientation_test.cpp has all.
 TEST_F(SimulateFrames, APatchWithAnOrientationHasTheCamerasOfTheMatrices) {
   constexpr double kTolPx = 1e-5;  // of poses that lie on the Earth; see write_orientation_test.cpp
   ASSERT_EQ(simulate("matrices", {}).exit_code, 0);

@@ -63,7 +63,8 @@ TEST_F(SoftPatch, LinesLieWhereTheirImagesShowThem) {
       const Eigen::Vector3d middle(0.5 * (ends[0][0].get<double>() + ends[1][0].get<double>()),
                                    0.5 * (ends[0][1].get<double>() + ends[1][1].get<double>()),
                                    0.5 * (ends[0][2].get<double>() + ends[1][2].get<double>()));
-      // The line is a compromise of both images; pixels of the reduced image would be hundreds of pixels away.
+      // The line is a compromise of both images; pixels of the reduced image would be hundreds of
+      // pixels away.
       constexpr double kMaxDistance_px = 10.0;
       EXPECT_LT(distance(seen, project(cameras[image], middle)), kMaxDistance_px)
           << line["properties"];

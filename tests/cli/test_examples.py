@@ -57,7 +57,9 @@ def examples_of_help():
 
 
 def examples_of_readme():
-    """Lines of code blocks, and whole command lines within the text; the names of commands are no command lines."""
+    """Lines of code blocks, and whole command lines within the text; the names of commands are no
+    command lines.
+    """
     text = (SOURCE / "README.md").read_text()
     yield from re.findall(r"^\$ (ridgeline .*)$", text, re.MULTILINE)
     for line in re.findall(r"`(ridgeline [^`]*)`", text):

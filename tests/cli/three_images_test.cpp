@@ -97,7 +97,8 @@ TEST_F(ThreeImages, AreComparedWithTwoInSpace) {
   // joint: the faces beside a short line keep its slope, which two images alone do not.
   const auto compared = read_json(path("compared/compare.json"))["comparisons"][1];
   EXPECT_GT(compared["n_common"], 3 * compared["n_only_a"].get<int>());
-  // Lines of one place are of one edge: their distances from the planes differ by less than the limit of pairing.
+  // Lines of one place are of one edge: their distances from the planes differ by less than the
+  // limit of pairing.
   EXPECT_LT(compared["common"].back()["rms_ratio"], 1.5);
 }
 
@@ -287,7 +288,8 @@ TEST_F(ThreeImagesReport, NamesTheSegmentsOfTheTracks) {
       if (sighting[1].is_null()) continue;
       ++n_known;
       const auto& row = rows[sighting[0].get<int>()].at(sighting[1].get<std::size_t>());
-      // the middle of what the line was made from lies on the segment, but for the correction of its place
+      // the middle of what the line was made from lies on the segment, but for the correction of
+      // its place
       const double x = 0.5 * (sighting[2][0].get<double>() + sighting[2][2].get<double>());
       const double y = 0.5 * (sighting[2][1].get<double>() + sighting[2][3].get<double>());
       const double dx = row[3] - row[1];

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# A block by GNU parallel, and by a real Slurm of which a node and the controller are killed in the middle, has the bytes of
-# the block that one process makes. Exit code 77: what it needs is missing here, and what, on the last line.
-# Usage: cluster_test.sh PROGRAM
+# A block by GNU parallel, and by a real Slurm of which a node and the controller are killed in the
+# middle, has the bytes of the block that one process makes. Exit code 77: what it needs is missing
+# here, and what, on the last line. Usage: cluster_test.sh PROGRAM
 set -euo pipefail
 program=$1
 # shellcheck source=tests/cluster/mini_slurm.sh
@@ -60,7 +60,8 @@ start_slurm() {
 
 elements_on() { squeue -h -t RUNNING -w "$1" -o %i | wc -l; }
 
-# Each element does one task, and waits before, so that both nodes are busy for as long as this test needs.
+# Each element does one task, and waits before, so that both nodes are busy for as long as this test
+# needs.
 submit() {
   block_in slurm --slurm
   local n_tasks
@@ -75,8 +76,8 @@ both_nodes_work() {
     [ "$(find "$work/slurm" -name .ridgeline.lock | wc -l)" -ge 3 ]
 }
 
-# As an operator does. A controller that was killed has forgotten what happened since it saved its state: it sets aside what
-# started, and waits for what ended until the nodes report.
+# As an operator does. A controller that was killed has forgotten what happened since it saved its
+# state: it sets aside what started, and waits for what ended until the nodes report.
 reported_at_s=0
 queue_is_empty() {
   local held

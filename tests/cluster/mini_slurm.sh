@@ -1,10 +1,11 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: BSD-3-Clause
-# A Slurm of two nodes on this host, for tests: functions to source. Neither root nor systemd is needed, and nothing outside
-# of its folder is touched.
+# A Slurm of two nodes on this host, for tests: functions to source. Neither root nor systemd is
+# needed, and nothing outside of its folder is touched.
 cluster=  # its folder
 
-# A port of this host that nobody listens to, with two more after it. Below those that the system gives away.
+# A port of this host that nobody listens to, with two more after it. Below those that the system
+# gives away.
 free_ports() {
   local port offset busy
   while true; do
@@ -91,8 +92,8 @@ helpers_of() {
   done
 }
 
-# As a power cut does: the daemon and all that runs on the node ends before it can tell the controller. So those that
-# would tell end first.
+# As a power cut does: the daemon and all that runs on the node ends before it can tell the
+# controller. So those that would tell end first.
 kill_node() {
   local jobs
   mapfile -t jobs < <(jobs_on "$1")
@@ -100,8 +101,9 @@ kill_node() {
   kill -9 $(cat "$cluster/slurmd.$1.pid") $(helpers_of "${jobs[@]}") "${jobs[@]}" 2>/dev/null || true
 }
 
-# Returns once the controller would remember all that it did until now: it saves its state every 5 s. A controller that is
-# killed earlier starts running elements once more, and Slurm drains their nodes.
+# Returns once the controller would remember all that it did until now: it saves its state every 5
+# s. A controller that is killed earlier starts running elements once more, and Slurm drains their
+# nodes.
 wait_for_saved_state() {
   local attempt
   touch "$cluster/now"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two images in memory -> 3D lines -> lines judged against laser points: what an outside program writes.
+// Two images in memory -> 3D lines -> lines judged against laser points: what an outside program
+// writes.
 #include "evaluate/judge/line_to_plane_evaluation.h"
 #include "io/lines/write_lines.h"
 #include "io/results/judge_files.h"
@@ -69,7 +70,8 @@ Cloud::Ptr laser_points() {
   return cloud;
 }
 
-/// The same from files: what `ridgeline evaluate --lines lines.geojson --cloud cloud.xyz --out judged` does.
+/// The same from files: what `ridgeline evaluate --lines lines.geojson --cloud cloud.xyz --out
+/// judged` does.
 std::size_t judge_from_files(const Cloud& cloud) {
   std::ofstream points("cloud.xyz");
   for (const pcl::PointXYZ& p : cloud) points << p.x << ' ' << p.y << ' ' << p.z << '\n';

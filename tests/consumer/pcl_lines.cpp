@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A cloud of PCL -> lines judged by a kd-tree of PCL -> a PCD file whose points are labelled by plane.
+// A cloud of PCL -> lines judged by a kd-tree of PCL -> a PCD file whose points are labelled by
+// plane.
 //
 //   pcl_lines [OUT.pcd]
 #include "evaluate/judge/line_to_plane_evaluation.h"

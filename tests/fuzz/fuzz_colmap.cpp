@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any bytes as the images of a COLMAP model, binary if the first byte is even, beside cameras that are good.
+// Any bytes as the images of a COLMAP model, binary if the first byte is even, beside cameras that
+// are good.
 #include "io/error.h"
 #include "io/orientation/colmap.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes small binary files for the fuzzers to start from: make_seeds FOLDER gives FOLDER/TARGET/NAME.
+// Writes small binary files for the fuzzers to start from: make_seeds FOLDER gives
+// FOLDER/TARGET/NAME.
 #include "io/cloud/laz/laz_points.h"
 #include "tests/io/cloud/las_bytes.h"
 #include "tests/io/laz/copc_builder.h"

@@ -27,8 +27,8 @@ Segment3 jittered(const Segment3& line, double most_m, std::size_t n) {
   return {line.start + move, line.end + move};
 }
 
-/// Mean distance of the true line, signed distance of the moved one, vertical part of the normal and sigma of the planes, then
-/// all terms.
+/// Mean distance of the true line, signed distance of the moved one, vertical part of the normal
+/// and sigma of the planes, then all terms.
 void print(const SurfaceHypothesis& h,
            const Segment3& truth,
            const Segment3& line,

@@ -4,7 +4,8 @@
     dump_hypotheses 5 0.4 village 1 2 3 > a.txt
     python3 fit_weights.py a.txt ...
 
-Conditional logistic regression: each line of a scene has hypotheses, one or more of which are right. Needs NumPy and SciPy.
+Conditional logistic regression: each line of a scene has hypotheses, one or more of which are
+right. Needs NumPy and SciPy.
 """
 import sys
 
@@ -38,7 +39,9 @@ class Line:
             self.right = of_its_kind
 
     def log_place(self, by_m):
-        """Of the hypotheses of the line moved in height by `by_m`, as log_place() of surface_decision.cpp."""
+        """Of the hypotheses of the line moved in height by `by_m`, as log_place() of
+        surface_decision.cpp.
+        """
         signed_m = self.signed_m + by_m * self.normal_z
         right = PLACE_SIGMA_M * np.sqrt(2.0 * np.pi)
         wrong = WRONG_DENSITY_PER_M * right
@@ -67,7 +70,8 @@ def read(paths):
 
 
 def cases(lines, random):
-    """Terms, place, right hypotheses, number of the case of each hypothesis; weight of each case."""
+    """Terms, place, right hypotheses, number of the case of each hypothesis; weight of each case.
+    """
     terms, place, right, case, weights = [], [], [], [], []
     for line in lines:
         moves = [(0.0, 1.0 - WRONG_SHARE)]

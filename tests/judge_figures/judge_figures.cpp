@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the judge makes of the true lines of scenes with annexes, dormers, cars, garden walls and feet of walls, without images:
+// What the judge makes of the true lines of scenes with annexes, dormers, cars, garden walls and
+// feet of walls, without images:
 //   judge_figures village|other POINTS_PER_M2 truth|decoys|ladder|noise SEED...
 #include "evaluate/judge/judge_lines.h"
 #include "reconstruct/geometry/transformed.h"

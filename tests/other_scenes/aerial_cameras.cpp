@@ -103,7 +103,8 @@ std::vector<AerialCamera> cameras_for(const Scene& scene,
   std::vector<AerialCamera> cameras;
   fly({"strip", plan.strip, 0.0, middle, step}, scene, random, cameras);
   if (plan.cross > 0) {
-    // A quarter of a base along its own way: strips of any numbers of views have no centre in common.
+    // A quarter of a base along its own way: strips of any numbers of views have no centre in
+    // common.
     const Eigen::Vector3d across = random_step(kRightAngle_rad, random);
     const Eigen::Vector3d shifted = middle + 0.25 * kBase_m * across;
     fly({"cross", plan.cross, kRightAngle_rad, shifted, across}, scene, random, cameras);

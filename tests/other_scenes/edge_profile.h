@@ -15,8 +15,8 @@ struct EdgeProfile {
   double contrast_grey = 0;  ///< change of colour over one pixel there, grey values of 0 to 255
 };
 
-/// Within `reach_px` to both sides. `image`: CV_8UC3. Nothing if the segment is shorter than 20 px or
-/// not in the image.
+/// Within `reach_px` to both sides. `image`: CV_8UC3. Nothing if the segment is shorter than 20 px
+/// or not in the image.
 std::optional<EdgeProfile> edge_profile(const cv::Mat& image,
                                         const Segment2& segment,
                                         double reach_px);

@@ -13,8 +13,8 @@ struct FlightPlan {
 
 inline bool is_pair(const FlightPlan& plan) { return plan.strip == 2 && plan.cross == 0; }
 
-/// The plan that "strip:N" or "strip:N,cross:M" says. Throws std::invalid_argument for another text,
-/// fewer than 2 views in the strip, fewer than 1 in a cross strip, more than 12 in all.
+/// The plan that "strip:N" or "strip:N,cross:M" says. Throws std::invalid_argument for another
+/// text, fewer than 2 views in the strip, fewer than 1 in a cross strip, more than 12 in all.
 FlightPlan flight_plan(const std::string& text);
 
 }  // namespace ridgeline::other

@@ -10,7 +10,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// A wall of the house in plan: the middle of its foot, its direction outwards, and half its length.
+/// A wall of the house in plan: the middle of its foot, its direction outwards, and half its
+/// length.
 struct WallPlace {
   Vector2d middle, outwards;
   double half_length_m = 0.0;

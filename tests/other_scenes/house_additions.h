@@ -14,8 +14,8 @@ struct HouseBody {
   bool has_ridge = false;
 };
 
-/// An annex with a lean-to or a flat roof, at a longer side of the house if there is room, else at an
-/// end, and small dormers; either may be missing.
+/// An annex with a lean-to or a flat roof, at a longer side of the house if there is room, else at
+/// an end, and small dormers; either may be missing.
 void add_additions(Solids& solids, const HouseBody& body, bool has_room, RandomStream& random);
 
 }  // namespace ridgeline::other

@@ -10,8 +10,8 @@ namespace ridgeline::other {
 
 /// Puts a house of random type (gable, hip, half-hip, L-shaped if there is room for a second wing,
 /// flat with parapet, shed) into the scene, its longer side `along` (unit), with chimney, dormers,
-/// roof windows, solar modules. `clutter`, unless it is null, draws an annex, at a longer side if there
-/// is room, else at an end, and small dormers.
+/// roof windows, solar modules. `clutter`, unless it is null, draws an annex, at a longer side if
+/// there is room, else at an end, and small dormers.
 void add_house(Scene& scene,
                const Eigen::Vector2d& place,
                const Eigen::Vector2d& along,

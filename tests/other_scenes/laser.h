@@ -11,8 +11,8 @@
 
 namespace ridgeline::other {
 
-/// Returns of an airborne scanner from two strips, over the patch and 8 m beyond. Noise of 3.4 cm per
-/// axis; half of the pulses pass a leaf.
+/// Returns of an airborne scanner from two strips, over the patch and 8 m beyond. Noise of 3.4 cm
+/// per axis; half of the pulses pass a leaf.
 std::vector<Eigen::Vector3d> laser_points(const Scene& scene,
                                           const RayTracer& tracer,
                                           std::uint64_t seed,

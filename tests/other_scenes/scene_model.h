@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-// Scenes are in local metres: x east, y north, z up, the patch centred on (0, 0), its ground near 0.
+// Scenes are in local metres: x east, y north, z up, the patch centred on (0, 0), its ground near
+// 0.
 namespace ridgeline::other {
 
 enum class Material : std::uint8_t {
@@ -26,7 +27,8 @@ enum class Material : std::uint8_t {
   kLeaves,
 };
 
-/// Material and colour (reflectance of red, green, blue, 0..1) of a part, as its maker chooses them.
+/// Material and colour (reflectance of red, green, blue, 0..1) of a part, as its maker chooses
+/// them.
 struct Look {
   Material material = Material::kPlaster;
   Eigen::Vector3d colour = Eigen::Vector3d::Constant(0.5);

@@ -7,10 +7,10 @@
 
 namespace ridgeline::other {
 
-/// A settlement of houses with gardens along streets; every second seed has streets within 4 degrees
-/// of the x or the y axis, near the direction of the base of the cameras (cameras_for()). The same
-/// scene for the same seed on every platform. `is_hard`: on ground that falls by 3 to 8 %, most houses
-/// with an annex, small dormers or both.
+/// A settlement of houses with gardens along streets; every second seed has streets within 4
+/// degrees of the x or the y axis, near the direction of the base of the cameras (cameras_for()).
+/// The same scene for the same seed on every platform. `is_hard`: on ground that falls by 3 to 8 %,
+/// most houses with an annex, small dormers or both.
 Scene make_settlement(std::uint64_t seed, bool is_hard = false);
 
 }  // namespace ridgeline::other

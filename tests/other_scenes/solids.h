@@ -11,7 +11,8 @@
 namespace ridgeline::other {
 
 /// Solids that stand together (a house with what is on it and beside it), made in a frame of their
-/// own: x along, y across, z up from the floor. They may cut into each other: rays see the outermost.
+/// own: x along, y across, z up from the floor. They may cut into each other: rays see the
+/// outermost.
 class Solids {
  public:
   explicit Solids(Eigen::Isometry3d local_from_own) : local_from_own_(std::move(local_from_own)) {}

@@ -20,13 +20,13 @@ struct Degradation {
 };
 
 /// Makes the settlement of a seed and its photographs in `folder`, which must be there: patch.yaml
-/// (id: the seed), ID.tif of each view (cameras_for()), matches.csv (all straight edges that the first
-/// two show) and truth.geojson (all that any two show, as 3D lines). visible_left, visible_right of a
-/// line are of the two views that show most of it. More than two views: its class by the largest
-/// epipolar angle of all pairs of views that show it, and their number as n_images. No LIDAR.
-/// `is_hard`: the hard settlement with its laser points, lidar.las with 5 per m2, and the kinds of
-/// SurfaceLine in truth.geojson. Throws io::IoError; std::invalid_argument for a value of the
-/// degradation outside its range or a view that does not exist.
+/// (id: the seed), ID.tif of each view (cameras_for()), matches.csv (all straight edges that the
+/// first two show) and truth.geojson (all that any two show, as 3D lines). visible_left,
+/// visible_right of a line are of the two views that show most of it. More than two views: its
+/// class by the largest epipolar angle of all pairs of views that show it, and their number as
+/// n_images. No LIDAR. `is_hard`: the hard settlement with its laser points, lidar.las with 5 per
+/// m2, and the kinds of SurfaceLine in truth.geojson. Throws io::IoError; std::invalid_argument for
+/// a value of the degradation outside its range or a view that does not exist.
 void write_scene(const std::string& folder,
                  std::uint64_t seed,
                  const FlightPlan& plan = {},

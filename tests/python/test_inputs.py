@@ -14,7 +14,9 @@ EAVES_M, RIDGE_M, HALF_WIDTH_M, HALF_LENGTH_M = 5.0, 8.0, 6.0, 10.0
 
 
 def house_from_above(x_m):
-    """A gabled roof, its ridge along y, from 100 m above (x_m, 0): 600 x 600 pixels of 0.1 m on the ground."""
+    """A gabled roof, its ridge along y, from 100 m above (x_m, 0): 600 x 600 pixels of 0.1 m on the
+    ground.
+    """
     size, samples = 600, 4
     slope = (RIDGE_M - EAVES_M) / HALF_WIDTH_M
     pixel = (np.arange(size * samples) + 0.5) / samples - 0.5
@@ -124,7 +126,9 @@ class LinesInFiles(Case):
 
 
 def pose_and_camera(matrix, size_px):
-    """The row of a table of orientations, and the entry of a file of cameras, of a projection matrix without skew."""
+    """The row of a table of orientations, and the entry of a file of cameras, of a projection
+    matrix without skew.
+    """
     m = matrix / np.linalg.norm(matrix[2, :3])
     m *= np.sign(np.linalg.det(m[:, :3]))
     centre = np.linalg.solve(m[:, :3], -m[:, 3])

@@ -23,8 +23,8 @@ void place(std::vector<MadeFace>& faces, const BuildingSpec& spec) {
   }
 }
 
-/// Halves the first roof face of four corners from the middle of its first edge to that of its third. The second half comes
-/// behind the other roof faces.
+/// Halves the first roof face of four corners from the middle of its first edge to that of its
+/// third. The second half comes behind the other roof faces.
 void split_a_roof_face(std::vector<MadeFace>& faces) {
   const auto is_roof = [](const MadeFace& face) { return face.kind == MadeSurface::kRoof; };
   const auto whole = std::ranges::find_if(faces, [&](const MadeFace& face) {

@@ -11,7 +11,8 @@
 
 namespace ridgeline::test {
 
-/// Shapes of roofs. In the building's own frame the ridge is parallel to x and the footprint's middle is the origin.
+/// Shapes of roofs. In the building's own frame the ridge is parallel to x and the footprint's
+/// middle is the origin.
 enum class RoofShape : std::uint8_t {
   kGable,
   kHip,
@@ -22,8 +23,9 @@ enum class RoofShape : std::uint8_t {
   kFlat,     ///< level, with a parapet all round
   kLShape,   ///< two gabled wings of equal width: one valley, one hip
   kTShape,   ///< gable with a narrower gabled wing in the middle of its side at -y: two valleys
-  kDormer,  ///< gable with a gabled dormer on its side at -y, whose cut-out is a hole of the main face
-  kAnnex,  ///< gable with a lean-to in front of its wall at +y
+  kDormer,   ///< gable with a gabled dormer on its side at -y, whose cut-out is a hole of the main
+             ///< face
+  kAnnex,    ///< gable with a lean-to in front of its wall at +y
 };
 inline constexpr int kNumRoofShapes = 11;
 
@@ -37,14 +39,15 @@ struct BuildingSpec {
       35.0;  ///< of the upper faces of a mansard; of a lean-to 15 degrees whatever this is
   double azimuth_deg = 0.0;  ///< turns the building about z, counter-clockwise from above
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the middle of its foot, local
-  /// Whether one roof face of four corners is two coplanar ones, while its neighbours keep their whole edges.
+  /// Whether one roof face of four corners is two coplanar ones, while its neighbours keep their
+  /// whole edges.
   bool t_junctions = false;
 };
 
 enum class MadeSurface : std::uint8_t { kRoof, kWall, kGround };
 
-/// A flat face. The outer ring, then holes; the outer one runs counter-clockwise as seen from outside of the building, holes
-/// clockwise. No vertex is repeated at a ring's end.
+/// A flat face. The outer ring, then holes; the outer one runs counter-clockwise as seen from
+/// outside of the building, holes clockwise. No vertex is repeated at a ring's end.
 struct MadeFace {
   MadeSurface kind = MadeSurface::kRoof;
   std::vector<std::vector<Eigen::Vector3d>> rings;  ///< local, m
@@ -64,8 +67,8 @@ struct MadeEdge {
   Segment3 segment;  ///< local, m
 };
 
-/// A building as a closed shell: each edge of a face is the edge of one other face, the other way round, unless the spec asks
-/// for T-junctions. Roof faces come first.
+/// A building as a closed shell: each edge of a face is the edge of one other face, the other way
+/// round, unless the spec asks for T-junctions. Roof faces come first.
 struct MadeBuilding {
   BuildingSpec spec;
   std::vector<MadeFace> faces;

@@ -44,7 +44,8 @@ std::vector<HalfEdge> half_edges_of(const std::vector<MadeFace>& faces) {
   return edges;
 }
 
-/// How far the other face of an edge rises above this one per metre away from their edge: below 0 if the edge is convex.
+/// How far the other face of an edge rises above this one per metre away from their edge: below 0
+/// if the edge is convex.
 double rise_of_other(const HalfEdge& edge, const HalfEdge& other) {
   const Eigen::Vector3d into_other = other.normal.cross(other.to - other.from).normalized();
   return edge.normal.dot(into_other);

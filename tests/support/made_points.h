@@ -22,8 +22,9 @@ struct ScanSpec {
   std::uint64_t seed = 1;
 };
 
-/// Points at random places in plan, each on the uppermost roof face there or, beside all of them, on the ground: level, at the
-/// height of the nearest building's foot. What a laser scanner from straight above would see; walls get no points.
+/// Points at random places in plan, each on the uppermost roof face there or, beside all of them,
+/// on the ground: level, at the height of the nearest building's foot. What a laser scanner from
+/// straight above would see; walls get no points.
 std::vector<Eigen::Vector3d> scan(std::span<const MadeBuilding> buildings, const ScanSpec& spec);
 
 }  // namespace ridgeline::test

@@ -30,7 +30,8 @@ MadeShell gable(const Block& b) {
   return shell;
 }
 
-/// A hip roof whose ridge is shorter than the building by `run` at both ends; without a ridge its four faces meet in a point.
+/// A hip roof whose ridge is shorter than the building by `run` at both ends; without a ridge its
+/// four faces meet in a point.
 void add_hip(MadeShell& shell, const Block& b, double run) {
   const V sw(-b.x, -b.y, b.eave), se(b.x, -b.y, b.eave), ne(b.x, b.y, b.eave),
       nw(-b.x, b.y, b.eave);

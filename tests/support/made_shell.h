@@ -23,8 +23,9 @@ struct MadeShell {
   void wall(MadeRing ring) { add(MadeSurface::kWall, {std::move(ring)}); }
   /// The face that closes a building from below; `ring` is counter-clockwise from above.
   void ground(MadeRing ring) { add(MadeSurface::kGround, {MadeRing(ring.rbegin(), ring.rend())}); }
-  /// Walls from the border of the faces down to z = 0 and the ground within; the border must be one ring that is a simple
-  /// polygon in plan. Edges on one line in plan, as the verges of a gable, get one wall.
+  /// Walls from the border of the faces down to z = 0 and the ground within; the border must be one
+  /// ring that is a simple polygon in plan. Edges on one line in plan, as the verges of a gable,
+  /// get one wall.
   void close_to_ground();
 
  private:

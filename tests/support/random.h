@@ -9,7 +9,8 @@
 
 namespace ridgeline::test {
 
-/// Seeded random numbers that are the same on every machine. Those of the standard distributions are not.
+/// Seeded random numbers that are the same on every machine. Those of the standard distributions
+/// are not.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}

@@ -22,7 +22,8 @@ constexpr int kNotStarted = 127;
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
-/// A file without a name that is gone once it is closed. Unlike a pipe it never fills up and blocks the child.
+/// A file without a name that is gone once it is closed. Unlike a pipe it never fills up and blocks
+/// the child.
 using CaptureFile = std::unique_ptr<std::FILE, CloseFile>;
 
 CaptureFile capture_file() {
@@ -60,7 +61,8 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   return pointers;
 }
 
-/// Nothing here may take a lock, as memory does: another thread may have held it during the fork, and is not there to give it back.
+/// Nothing here may take a lock, as memory does: another thread may have held it during the fork,
+/// and is not there to give it back.
 [[noreturn]] void become(char* const* argv,
                          char* const* variables,
                          const char* folder,

@@ -15,7 +15,8 @@ namespace ridgeline::test {
 #ifndef RIDGELINE_IS_SANITIZED
 #define RIDGELINE_IS_SANITIZED false
 #endif
-/// Whether the programs are built with the address sanitizer, whose own memory breaks limits of memory.
+/// Whether the programs are built with the address sanitizer, whose own memory breaks limits of
+/// memory.
 inline constexpr bool kIsSanitized = RIDGELINE_IS_SANITIZED;
 
 /// What a program left behind.
@@ -28,9 +29,9 @@ struct ProgramResult {
 
 /// Runs `program` with `arguments` in `folder`, without a shell and with stdin at /dev/null, and
 /// waits for its end. `environment` holds NAME=value pairs that are set on top of this process's.
-/// With a `processor_limit_s` above 0 SIGXCPU ends it after that time of all its threads, however busy the machine is,
-/// and SIGALRM ends one that waits for much longer.
-/// Throws std::system_error if the program cannot be started.
+/// With a `processor_limit_s` above 0 SIGXCPU ends it after that time of all its threads, however
+/// busy the machine is, and SIGALRM ends one that waits for much longer. Throws std::system_error
+/// if the program cannot be started.
 ProgramResult run_program(const std::string& program,
                           const std::vector<std::string>& arguments,
                           const std::filesystem::path& folder,

@@ -28,7 +28,9 @@ def paths_of(value: Path | Sequence[Path], name: str = "paths") -> list[str]:
 
 
 def double_of(array: ArrayLike, name: str, *, strict: bool = False) -> NDArray[np.float64]:
-    """Contiguous doubles; masked entries become NaN. Warns, or raises if `strict`, if float32 has lost digits of coordinates."""
+    """Contiguous doubles; masked entries become NaN. Warns, or raises if `strict`, if float32 has
+    lost digits of coordinates.
+    """
     given: Any = np.asarray(array)
     if isinstance(array, np.ma.MaskedArray):
         given = np.where(array.mask, np.nan, given)
@@ -62,7 +64,9 @@ def _group(name: str, group: Any) -> dict[str, Any]:
 
 
 def config_entries(config: Config | None, judge: Mapping[str, Any] | None = None) -> dict[str, Any]:
-    """Entries for a config file, or a mapping as `ridgeline config` prints it, and more parameters of its group `judge`."""
+    """Entries for a config file, or a mapping as `ridgeline config` prints it, and more parameters
+    of its group `judge`.
+    """
     entries: dict[str, Any] = {}
     groups: dict[str, Any] = {}
     if isinstance(config, (str, os.PathLike)):
@@ -77,7 +81,8 @@ def config_entries(config: Config | None, judge: Mapping[str, Any] | None = None
 
 
 def new_file(path: Path, overwrite: bool) -> str:
-    """The path as text. Raises FileExistsError if something stands there, unless the user says so."""
+    """The path as text. Raises FileExistsError if something stands there, unless the user says so.
+    """
     if os.path.lexists(path) and not overwrite:
         raise FileExistsError(f"{os.fspath(path)}: exists already; overwrite=True replaces it")
     return os.fspath(path)

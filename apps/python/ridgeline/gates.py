@@ -25,8 +25,10 @@ def _text_of_gates(gates: Mapping[str, Any]) -> str:
 class GateReport:
     """The verdicts. True if every gate passed; a gate that checked nothing has not passed.
 
-    gates: a dict for each rule and figure: rule, patch, method, class, metric, value, limit, verdict, explanation, ...
-    junit: JUnit XML. markdown: for the page of a CI job. text: what print() shows, in aligned columns.
+    gates: a dict for each rule and figure: rule, patch, method, class, metric, value, limit,
+        verdict, explanation, ...
+    junit: JUnit XML. markdown: for the page of a CI job. text: what print() shows, in aligned
+        columns.
     """
 
     passed: bool
@@ -52,9 +54,11 @@ def gate(
     """Checks figures against limits, as `ridgeline gate` does.
 
     results: what evaluate() returned, or the folder that evaluate, run or Result.write() wrote.
-    gates: a gates file (docs/gates.md), or its entries: [{"class": "total", "metric": "rms_m", "max": 0.3}, ...].
-    baseline: folder of an earlier run on the same data, for gates that refer to it; results must then be a folder as well.
-        Both must have been judged from files: a run on arrays records no hash of its data.
+    gates: a gates file (docs/gates.md), or its entries: [{"class": "total", "metric": "rms_m",
+        "max": 0.3}, ...].
+    baseline: folder of an earlier run on the same data, for gates that refer to it; results must
+        then be a folder as well. Both must have been judged from files: a run on arrays records no
+        hash of its data.
     Raises ValueError for a gate that cannot decide, FileNotFoundError and InputFileError.
     """
     file = text = ""

@@ -25,10 +25,11 @@ class Lines:
 
     Texts are arrays (n,), so that `lines[lines.status == "joint"]` makes Lines of a part.
 
-    segments: (n, 2, 3), start and end, coordinates of the map in its units; (n, 6) is taken as well.
+    segments: (n, 2, 3), start and end, coordinates of the map in its units; (n, 6) is taken as
+        well.
     ids: by default "0", "1", ...
-    line_class: "aligned" (within 10 degrees of the epipolar line) or "not_aligned"; lines of any other class count in
-        the figures of "total" alone.
+    line_class: "aligned" (within 10 degrees of the epipolar line) or "not_aligned"; lines of any
+        other class count in the figures of "total" alone.
     status: how a reconstructed line came about; one without geometry has NaN coordinates.
     method, kind, building: as in the files (docs/files.md).
     epipolar_angle_deg: (n,), degrees.
@@ -108,10 +109,12 @@ def lines_of(entries: dict[str, Any]) -> Lines:
 
 
 def read_lines(path: Path, *, assume_crs: str = "", vertex_pairs: bool = False, lod: str = "") -> Lines:
-    """Reads the 3D lines of any tool: GeoJSON, GeoPackage, Shapefile, DXF, WKT, CSV, OBJ, PLY, Line3D++, LIMAP, ELSR.
+    """Reads the 3D lines of any tool: GeoJSON, GeoPackage, Shapefile, DXF, WKT, CSV, OBJ, PLY,
+    Line3D++, LIMAP, ELSR.
 
-    Polylines become segments. assume_crs: reference system, whatever the file states. vertex_pairs: an OBJ's vertices
-    two by two are the lines. Warns of what deserves attention. Raises FileNotFoundError and InputFileError.
+    Polylines become segments. assume_crs: reference system, whatever the file states. vertex_pairs:
+    an OBJ's vertices two by two are the lines. Warns of what deserves attention. Raises
+    FileNotFoundError and InputFileError.
     """
     entries = _core.read_lines(os.fspath(path), assume_crs, vertex_pairs, lod)
     warn(entries["warnings"])
@@ -119,10 +122,11 @@ def read_lines(path: Path, *, assume_crs: str = "", vertex_pairs: bool = False, 
 
 
 def write_lines(path: Path, lines: Lines | ArrayLike, *, format: str | None = None, overwrite: bool = False) -> int:
-    """Writes lines with their attributes. Returns the number of lines left out because they have no geometry.
+    """Writes lines with their attributes. Returns the number of lines left out because they have no
+    geometry.
 
-    format: a name that `ridgeline reconstruct --help` lists; by default the ending of the path tells it.
-    Raises FileExistsError unless overwrite.
+    format: a name that `ridgeline reconstruct --help` lists; by default the ending of the path
+    tells it. Raises FileExistsError unless overwrite.
     """
     given = lines if isinstance(lines, Lines) else Lines(segments_of(lines))
     name = format or _format_of(os.fspath(path))

@@ -21,8 +21,8 @@ class View:
     """An oriented image without distortion.
 
     image: (height, width) or (height, width, bands), uint8 or uint16, 1 to 4 bands.
-    matrix: (3, 4), takes homogeneous map coordinates (x, y, z, 1) to homogeneous pixels (column, row, 1). The middle of
-        the top-left pixel is (0, 0).
+    matrix: (3, 4), takes homogeneous map coordinates (x, y, z, 1) to homogeneous pixels (column,
+        row, 1). The middle of the top-left pixel is (0, 0).
     id: name of the view in messages.
     """
 
@@ -59,16 +59,19 @@ def reconstruct(
 ) -> Lines:
     """Reconstructs the 3D lines that two oriented images show, as `ridgeline reconstruct` does.
 
-    views: two views, the first is the base image; or a patch file, which has heights and reference system as well.
+    views: two views, the first is the base image; or a patch file, which has heights and reference
+        system as well.
     height_range_m: lowest and highest height of objects, in metres of the map.
-    method: "lines" (the default, except with "published"): those of "network", and the ridges, hips and valleys that no
-        edge shows ("planes"); "direct" and "joint" (the default with "published") are those of the papers.
+    method: "lines" (the default, except with "published"): those of "network", and the ridges, hips
+        and valleys that no edge shows ("planes"); "direct" and "joint" (the default with
+        "published") are those of the papers.
     preset: "default" (the best known) or "published" (the papers').
-    matchers: "pairwise", "chio" or both. config: a file of `ridgeline config`, or a mapping {"match": {...}, ...}.
-    crs: reference system of the matrices, for the lines.
-    Warns if the images show too little to check their cameras, and raises if they do not fit them.
-    Returns lines with class, status, covariance and image segments; NaN coordinates where the images do not tell the
-    depth. Raises ValueError, and for files FileNotFoundError and InputFileError.
+    matchers: "pairwise", "chio" or both. config: a file of `ridgeline config`, or a mapping
+        {"match": {...}, ...}.
+    crs: reference system of the matrices, for the lines. Warns if the images show too little to
+    check their cameras, and raises if they do not fit them. Returns lines with class, status,
+    covariance and image segments; NaN coordinates where the images do not tell the depth. Raises
+    ValueError, and for files FileNotFoundError and InputFileError.
     """
     options: dict[str, Any] = {
         "matchers": [matchers] if isinstance(matchers, str) else list(matchers),

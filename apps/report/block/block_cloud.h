@@ -26,8 +26,8 @@ struct BlockCloud {
       of_patch;  ///< numbers of the points in the area of each patch
 };
 
-/// Reads the points within the block, thinned to kMaxBlockPoints. Throws IoError for clouds that cannot be read, and for those
-/// whose size is no longer that of `run.json`.
+/// Reads the points within the block, thinned to kMaxBlockPoints. Throws IoError for clouds that
+/// cannot be read, and for those whose size is no longer that of `run.json`.
 BlockCloud read_block_cloud(const BlockFolder& block);
 
 /// Every k-th of the numbers, so that at most `n_most` stay.

@@ -52,7 +52,8 @@ class Steps {
   Eigen::AlignedBox2d box_;
 };
 
-/// Points in plan, with heights as one of 256 greys between the 2nd and the 98th percentile; null if there are none.
+/// Points in plan, with heights as one of 256 greys between the 2nd and the 98th percentile; null
+/// if there are none.
 Json relief_json(const BlockCloud& cloud,
                  const std::vector<std::uint32_t>& numbers,
                  const Eigen::Vector2d& shift_m) {
@@ -79,7 +80,8 @@ Json relief_json(const BlockCloud& cloud,
           {"low_m", to_digits(low, 2)}, {"high_m", to_digits(high, 2)}, {"greys", base64(greys)}};
 }
 
-/// The ends of lines in plan, and their distances in millimetres: 65535 of a line that is not judged.
+/// The ends of lines in plan, and their distances in millimetres: 65535 of a line that is not
+/// judged.
 Json plan_lines_json(const ShownLines& method, std::size_t n_most) {
   constexpr std::uint16_t kNotJudged = 65535;
   const std::vector<std::size_t> shown = thinned_lines(method.lines, n_most);

@@ -22,8 +22,9 @@ inline constexpr std::size_t kMaxPlanPoints = 200'000;
 /// Rows of the table of worst lines.
 inline constexpr std::size_t kMaxWorstLines = 100;
 
-/// The data of a block's report, as apps/report/web/src/block/schema.ts declares it. Lengths in metres; coordinates are relative
-/// to `origin_m`; binary arrays are base64 of little-endian values.
+/// The data of a block's report, as apps/report/web/src/block/schema.ts declares it. Lengths in
+/// metres; coordinates are relative to `origin_m`; binary arrays are base64 of little-endian
+/// values.
 evaluate::Json block_json(const BlockFolder& block,
                           const BlockCloud& cloud,
                           const std::optional<evaluate::GateReport>& gates);

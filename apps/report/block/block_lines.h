@@ -39,14 +39,16 @@ struct ShownLines {
   std::vector<ShownLine> lines;
 };
 
-/// The numbers of at most `n_most` lines, in ascending order: the worst tenth of `n_most` and an even choice of the others.
+/// The numbers of at most `n_most` lines, in ascending order: the worst tenth of `n_most` and an
+/// even choice of the others.
 std::vector<std::size_t> thinned_lines(const std::vector<ShownLine>& lines, std::size_t n_most);
 
-/// The numbers of the judged lines farthest from their planes, the worst first; equal ones in their order.
+/// The numbers of the judged lines farthest from their planes, the worst first; equal ones in their
+/// order.
 std::vector<std::size_t> worst_lines(const std::vector<ShownLine>& lines, std::size_t n_most);
 
-/// Reads the lines from the map at `path`. Lines whose id does not begin with one of the patches are left out.
-/// Throws IoError as io::for_each_map_line().
+/// Reads the lines from the map at `path`. Lines whose id does not begin with one of the patches
+/// are left out. Throws IoError as io::for_each_map_line().
 ShownLines read_shown_lines(const std::string& path,
                             const std::string& method,
                             const Eigen::Vector2d& origin_m,

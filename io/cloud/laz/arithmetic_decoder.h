@@ -55,8 +55,8 @@ class ArithmeticDecoder {
   std::uint32_t read_u32();
   std::uint64_t read_u64();
 
-  /// The stream at its present position. A coder writes as many bytes as its decoder reads, so behind the last symbol
-  /// that is the end of the coder's bytes.
+  /// The stream at its present position. A coder writes as many bytes as its decoder reads, so
+  /// behind the last symbol that is the end of the coder's bytes.
   [[nodiscard]] const ByteStream& stream() const { return stream_; }
 
  private:

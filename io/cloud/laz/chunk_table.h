@@ -22,14 +22,14 @@ struct Chunk {
 /// Bytes of the table's position, which stands before the first chunk.
 inline constexpr std::size_t kChunkTableOffsetSize = 8;
 
-/// Points of the largest chunk that is decoded, which bounds what a damaged count may cost. LASzip's own chunks have
-/// 50 000 points, those of COPC up to about 100 000.
+/// Points of the largest chunk that is decoded, which bounds what a damaged count may cost.
+/// LASzip's own chunks have 50 000 points, those of COPC up to about 100 000.
 inline constexpr std::uint32_t kMaxChunkPoints = 2'000'000;
 // Bytes of the decoded records of the largest chunk that is decoded.
 inline constexpr std::uint64_t kMaxChunkBytes = std::uint64_t{64} << 20;
 
-/// Whether `n_bytes` can hold `n_records`. Even a record that repeats its predecessor takes a share of a bit: with
-/// all models at their most skewed, about 1000 records fit a byte.
+/// Whether `n_bytes` can hold `n_records`. Even a record that repeats its predecessor takes a share
+/// of a bit: with all models at their most skewed, about 1000 records fit a byte.
 inline bool may_hold(std::uint64_t n_bytes, std::uint64_t n_records) {
   constexpr std::uint64_t kMaxRecordsPerByte = 4096;
   return n_records / kMaxRecordsPerByte <= n_bytes;

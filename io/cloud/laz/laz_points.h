@@ -17,10 +17,10 @@ namespace ridgeline::io::laz {
 
 class SequentialRecords;
 
-/// The compressed records of a LAZ file as blocks that can be decoded in any order and from any thread. If the file
-/// has a table of chunks, a block is a chunk. Otherwise (LASzip's compressor 1, or the table is lost) blocks are cut
-/// from one stream. The stream is decoded once if blocks are asked for nearly in order, and again from its start for
-/// a block long passed.
+/// The compressed records of a LAZ file as blocks that can be decoded in any order and from any
+/// thread. If the file has a table of chunks, a block is a chunk. Otherwise (LASzip's compressor 1,
+/// or the table is lost) blocks are cut from one stream. The stream is decoded once if blocks are
+/// asked for nearly in order, and again from its start for a block long passed.
 class LazPoints {
  public:
   /// `file` must outlive the object; `path` serves messages.
@@ -39,7 +39,8 @@ class LazPoints {
   /// The chunks, one a block; empty if blocks are cut from one stream.
   [[nodiscard]] std::span<const Chunk> chunks() const { return chunks_; }
 
-  /// Receives consecutive uncompressed records; `first` is the place of the first of them in the block.
+  /// Receives consecutive uncompressed records; `first` is the place of the first of them in the
+  /// block.
   using Consume = std::function<void(std::span<const std::byte> records, std::size_t first)>;
 
   /// Decodes a block in portions that fit a core's cache.

@@ -50,7 +50,8 @@ class LazSource final : public CloudSource {
     return BlockExtent{.box_in_file = *box, .n_points = records_.n_points(index)};
   }
 
-  /// A file without a table of chunks is one stream, of which decoded parts are kept; so it is not light.
+  /// A file without a table of chunks is one stream, of which decoded parts are kept; so it is not
+  /// light.
   [[nodiscard]] bool is_light() const override {
     return !records_.chunks().empty() || blocks_.empty();
   }
@@ -101,8 +102,8 @@ std::vector<LazBlock> all_blocks(const laz::LazPoints& records) {
   return blocks;
 }
 
-// The blocks of the nodes up to `max_level`. Chunks without a node are kept, without a box, as the hierarchy may only
-// leave out points that it places elsewhere.
+// The blocks of the nodes up to `max_level`. Chunks without a node are kept, without a box, as the
+// hierarchy may only leave out points that it places elsewhere.
 std::vector<LazBlock> blocks_of_hierarchy(const laz::LazPoints& records,
                                           const LasHeader& header,
                                           const laz::CopcHierarchy& hierarchy,

@@ -61,7 +61,8 @@ std::size_t num_layers(const Item& item) {
   }
 }
 
-// A layered chunk: the first record, raw, then the number of points, the sizes of all layers and all layers.
+// A layered chunk: the first record, raw, then the number of points, the sizes of all layers and
+// all layers.
 struct LayeredChunk {
   LayeredChunk(const LaszipRecord& laszip, ByteStream stream)
       : first(stream.take(laszip.record_length)) {
@@ -115,8 +116,9 @@ class LayeredDecoder final : public RecordDecoder {
   [[nodiscard]] std::size_t position() const override { return size_; }
 
  private:
-  // The encoder of version 3 reports the channel to the items behind the core only where it changes; these items take
-  // every other record for one of channel 0 (github.com/LASzip/LASzip/issues/74).
+  // The encoder of version 3 reports the channel to the items behind the core only where it
+  // changes; these items take every other record for one of channel 0
+  // (github.com/LASzip/LASzip/issues/74).
   [[nodiscard]] unsigned channel_of_items() const {
     return version_ == ItemVersion::k4 || point_.channel_changed() ? point_.channel() : 0;
   }

@@ -41,8 +41,8 @@ inline constexpr std::array<std::array<std::uint8_t, 16>, 16> kReturnKind16{{
     {5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5},
 }};
 
-/// How many returns lie between this one and the last of its pulse, at most 7. The previous height has a context for
-/// each level.
+/// How many returns lie between this one and the last of its pulse, at most 7. The previous height
+/// has a context for each level.
 constexpr unsigned return_level(unsigned number_of_returns, unsigned return_number) {
   const unsigned distance = number_of_returns > return_number ? number_of_returns - return_number
                                                               : return_number - number_of_returns;

@@ -36,7 +36,8 @@ class TwoSteps {
     Matrix normal = Matrix::Zero(n, n);
     Vector right = Vector::Zero(n);
     for (const ProfileSample& s : samples) add(s, colours_only, normal, right);
-    // This keeps the values of offsets and tilts that are not to move, or that the samples do not fix.
+    // This keeps the values of offsets and tilts that are not to move, or that the samples do not
+    // fix.
     normal.diagonal().array() += 1e-9 * static_cast<double>(samples.size());
     const Eigen::LDLT<Matrix> solver(normal);
     if (solver.info() != Eigen::Success) return false;

@@ -77,7 +77,8 @@ bool same_edge(const Segment2& a, const Segment2& b) {
 double left_end(const Segment2& s) { return std::min(s.start.x(), s.end.x()); }
 double right_end(const Segment2& s) { return std::max(s.start.x(), s.end.x()); }
 
-/// Marks the parts to drop: if parts are the same edge and one of them is separated, the longest stays.
+/// Marks the parts to drop: if parts are the same edge and one of them is separated, the longest
+/// stays.
 std::vector<bool> repeated(const std::vector<Part>& parts) {
   std::vector<std::size_t> by_left(parts.size());
   std::iota(by_left.begin(), by_left.end(), std::size_t{0});

@@ -11,7 +11,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Lines that rest on their ends alone are at least this long: false matches of short segments have ends that agree as well.
+/// Lines that rest on their ends alone are at least this long: false matches of short segments have
+/// ends that agree as well.
 constexpr double kMinLengthWithEnds_px = 15.0;
 
 /// Whether a segment is long enough for its ends to tell a depth.
@@ -44,7 +45,8 @@ ObservedTrack seen_part(const TrackEvidence& evidence, const DepthPart& part) {
   return seen;
 }
 
-/// Adds points of the line that lie on the surface beside it. Returns false if the surface does not give any.
+/// Adds points of the line that lie on the surface beside it. Returns false if the surface does not
+/// give any.
 bool add_surface_points(const AlignedTrack& track,
                         const Surface& surface,
                         const DepthPart& part,
@@ -62,7 +64,8 @@ bool add_surface_points(const AlignedTrack& track,
   return support.on_surface;
 }
 
-/// The point with `sigma` added to its uncertainty in every direction: lines that meet miss each other by that.
+/// The point with `sigma` added to its uncertainty in every direction: lines that meet miss each
+/// other by that.
 UncertainPoint3 scattered(UncertainPoint3 point, double sigma) {
   const double w = point.mean.w();
   point.cov.topLeftCorner<3, 3>() += w * w * sigma * sigma * Eigen::Matrix3d::Identity();

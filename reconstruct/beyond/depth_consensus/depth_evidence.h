@@ -25,7 +25,8 @@ struct DepthEvidence {
   Eigen::Matrix3d cov;
   double parameter = 0.0;  ///< place along the base segment, 0 at its start and 1 at its end
   double prior = 0.5;      ///< probability that it is on the line, without other evidence
-  /// Weight of a point where another line seems to meet this one; 0 for the ends of the line's own segments.
+  /// Weight of a point where another line seems to meet this one; 0 for the ends of the line's own
+  /// segments.
   double meeting = 0.0;
   bool may_cut = false;  ///< whether the track may be cut here into several lines
 };

@@ -13,7 +13,8 @@ constexpr double kUnreached = -std::numeric_limits<double>::infinity();
 
 double squared(double x) { return x * x; }
 
-/// Density of the slope of lines that are not built horizontal: roofs of 20 to 50 degrees mostly, and streets.
+/// Density of the slope of lines that are not built horizontal: roofs of 20 to 50 degrees mostly,
+/// and streets.
 double sloping(double slope) {
   constexpr double kRoof = 0.7, kRoofScatter = 0.3, kRoofShare = 0.9, kStreet = 0.6;
   return kRoofShare * bell((slope - kRoof) / kRoofScatter) +
@@ -26,21 +27,22 @@ double log_straight_prior(double slope, const BuildingOptions& options) {
                   (1.0 - kHorizontal) * sloping(slope));
 }
 
-/// Logarithm of the prior of a cut between two steps of a row. A row that has one step often has more.
+/// Logarithm of the prior of a cut between two steps of a row. A row that has one step often has
+/// more.
 double log_step_prior(bool is_first, const ConsensusOptions& options) {
   constexpr double kNextShare = 0.3;
   return std::log(is_first ? options.step_share : kNextShare);
 }
 
-/// Logarithm of the prior of the height of a step. It is small, because houses of a row follow the street,
-/// and the ground below does not cut an eave.
+/// Logarithm of the prior of the height of a step. It is small, because houses of a row follow the
+/// street, and the ground below does not cut an eave.
 double log_rise_prior(double rise_m) {
   constexpr double kRise_m = 1.0;
   return -0.5 * squared(rise_m / kRise_m);
 }
 
-/// Indices of the evidence at which the track may be cut, in the order along it; one for evidence at the same
-/// place.
+/// Indices of the evidence at which the track may be cut, in the order along it; one for evidence
+/// at the same place.
 std::vector<std::size_t> places_to_cut(const DepthQuestion& question, const DepthScorer& scorer) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < question.evidence.size(); ++i) {
@@ -181,7 +183,8 @@ std::optional<DepthProfile> row_profile(const DepthQuestion& question, const Dep
   const auto cut = [&](std::size_t place) {
     return place == 0 || place == end ? std::nullopt : std::optional(places[place - 1]);
   };
-  // The best way to each place comes from the best ways to the places before it. The last place is the end.
+  // The best way to each place comes from the best ways to the places before it. The last place is
+  // the end.
   std::vector<Way> ways(end + 1);
   ways[0].score = 0.0;
   for (std::size_t to = 1; to <= end; ++to) {

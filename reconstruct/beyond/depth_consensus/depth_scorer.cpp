@@ -135,9 +135,10 @@ double DepthScorer::score_of_end(int which, const DepthLine& line) const {
   return std::log(kElsewhere + (1.0 - kElsewhere) * bell(unit_m_ * nearest / kSigmaHeight_m));
 }
 
-/// Squared misclosure of the line's image with the segment of the other image, chi-square with 2 degrees of
-/// freedom, on the scale of Student's distribution. What adjoins an edge, a shadow or a gutter, displaces it
-/// by more than its covariance tells, so that no single track may decide against all points.
+/// Squared misclosure of the line's image with the segment of the other image, chi-square with 2
+/// degrees of freedom, on the scale of Student's distribution. What adjoins an edge, a shadow or a
+/// gutter, displaces it by more than its covariance tells, so that no single track may decide
+/// against all points.
 double DepthScorer::other_misclosure(const DepthLine& h) const {
   constexpr double kFreedoms = 3.0;
   const UncertainLine2& other = question_.line[1].line;

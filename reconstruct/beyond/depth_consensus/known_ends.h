@@ -9,8 +9,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// The ends of lines of known height, by their place in each image. Eaves, ridges and streets come at few heights, so the
-/// heights of known ends are likely for the lines nearby, too.
+/// The ends of lines of known height, by their place in each image. Eaves, ridges and streets come
+/// at few heights, so the heights of known ends are likely for the lines nearby, too.
 class KnownEnds {
  public:
   /// @param direct  the lines by the method `direct`, the intersection of two projection planes

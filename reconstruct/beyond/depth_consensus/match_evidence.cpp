@@ -14,7 +14,8 @@ constexpr double kMaxPointPrior = 0.7;
 constexpr double kEndPrior = 0.75;
 constexpr double kMinCutWeight = 0.3;  // least weight W of a point where a track may be cut
 
-/// The end of a segment as an uncertain point. Its sigma along the line is sigma_end; across the line it is that of the line.
+/// The end of a segment as an uncertain point. Its sigma along the line is sigma_end; across the
+/// line it is that of the line.
 UncertainPoint2 end_in_image(const ObservedLine& observed,
                              const Eigen::Vector2d& end,
                              double sigma_end) {
@@ -29,8 +30,8 @@ UncertainPoint2 end_in_image(const ObservedLine& observed,
   return spherically_normalised(point);
 }
 
-/// The place in another view of the point that the base view shows at a pixel, if the point is as high as the
-/// patch's centre.
+/// The place in another view of the point that the base view shows at a pixel, if the point is as
+/// high as the patch's centre.
 Eigen::Vector2d on_level(const ConditionedView& base,
                          const ConditionedView& other,
                          const Eigen::Vector2d& x_in_base) {
@@ -55,8 +56,8 @@ DepthEvidence evidence_of(const UncertainPoint3& point, double parameter, double
   return {point.mean.hnormalized(), propagated(jacobian, point.cov), parameter, prior};
 }
 
-/// Whether the track may be cut where it meets another one. The meeting must have enough weight, and both parts must be long
-/// enough in both images.
+/// Whether the track may be cut where it meets another one. The meeting must have enough weight,
+/// and both parts must be long enough in both images.
 bool may_cut(const AlignedTrack& track, const CandidatePoint& at, const ConsensusOptions& options) {
   if (at.ranked.weight < kMinCutWeight) return false;
   const auto x = track.places_of(at);

@@ -12,14 +12,15 @@
 
 namespace ridgeline::reconstruct {
 
-/// An aligned track in the frames of the estimation. Base and partner tell its depth. It borrows what it is made of.
+/// An aligned track in the frames of the estimation. Base and partner tell its depth. It borrows
+/// what it is made of.
 struct AlignedTrack {
   AlignedTrack(const TrackedLines& all, const ObservedTrack& observed);
 
   const TrackedLines& lines;
   const ObservedTrack& line;
-  /// Whether the partner segment runs the other way than the base segment. The rule by which the segments were
-  /// directed does not matter.
+  /// Whether the partner segment runs the other way than the base segment. The rule by which the
+  /// segments were directed does not matter.
   bool runs_back;
 
   /// The starts (0) or the ends (1) of both segments, in the direction of the base segment.
@@ -28,7 +29,8 @@ struct AlignedTrack {
   [[nodiscard]] std::array<Eigen::Vector2d, 2> places_of(const CandidatePoint& point) const;
 };
 
-/// What tells the depth of a track: the artificial points of sufficient weight, and the points that its ends show.
+/// What tells the depth of a track: the artificial points of sufficient weight, and the points that
+/// its ends show.
 struct TrackEvidence {
   AlignedTrack track;
   std::vector<CandidatePoint> points;
@@ -41,8 +43,8 @@ TrackEvidence evidence_of(const AlignedTrack& track,
                           std::span<const int> neighbours,
                           const EstimationOptions& options);
 
-/// The point in object space that both views show, by its place on the segment of each. The result is empty if
-/// there is no such point in front of the cameras and within the range of heights.
+/// The point in object space that both views show, by its place on the segment of each. The result
+/// is empty if there is no such point in front of the cameras and within the range of heights.
 /// @param x         the places in the base view and that of the partner, conditioned
 /// @param sigma_px  sigma of both places along the line
 std::optional<UncertainPoint3> point_in_object(const AlignedTrack& track,

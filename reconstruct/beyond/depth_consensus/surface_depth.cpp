@@ -42,7 +42,8 @@ void SurfaceDepth::add_stations(const SidesOfPiece& piece) {
 }
 
 /// Adds a station.
-/// @param parameter  place along the rectified segment, which hardly differs from that along the segment
+/// @param parameter  place along the rectified segment, which hardly differs from that along the
+/// segment
 void SurfaceDepth::add_station(double parameter, double d_px, double sigma_px) {
   const Segment2& segment = line_[0].segment;
   const Eigen::Vector2d x = point_at(segment, parameter);
@@ -84,8 +85,8 @@ std::vector<DepthLine> SurfaceDepth::likely_lines(const Eigen::Vector3d& horizon
   return lines;
 }
 
-/// The pixels at which both images show a place of the left segment with a disparity. The right one is moved
-/// onto the right segment.
+/// The pixels at which both images show a place of the left segment with a disparity. The right one
+/// is moved onto the right segment.
 std::array<Eigen::Vector2d, 2> SurfaceDepth::seen(double parameter, double d_px) const {
   const Rectification& r = surface_.rectification;
   const Eigen::Vector2d left = point_at(line_[0].segment, parameter);

@@ -12,18 +12,18 @@
 
 namespace ridgeline::reconstruct {
 
-/// The depth of a track by the surfaces beside it. Along an epipolar line the line itself looks the same
-/// everywhere. Dense matching tells how deep the surfaces on both sides of it are (side_plane()), and a line
-/// bounds the nearer one.
+/// The depth of a track by the surfaces beside it. Along an epipolar line the line itself looks the
+/// same everywhere. Dense matching tells how deep the surfaces on both sides of it are
+/// (side_plane()), and a line bounds the nearer one.
 ///
-/// For every 30 px of the left segment (sides_along()) the line's disparity on the nearer surface is known
-/// with a sigma. A surface that holds less than half of its strip is not used. With the mean square z^2 of a
-/// profile's misfits in these sigmas:
+/// For every 30 px of the left segment (sides_along()) the line's disparity on the nearer surface
+/// is known with a sigma. A surface that holds less than half of its strip is not used. With the
+/// mean square z^2 of a profile's misfits in these sigmas:
 ///
 ///     log_likelihood = log(0.015 + 0.985 exp(-z^2 / 2))
 ///
-/// True roof edges of the training scenes are more than 3 sigma off with a frequency of 0.015. So a surface
-/// that is wrong, as in deep shadow, costs a profile no more than that.
+/// True roof edges of the training scenes are more than 3 sigma off with a frequency of 0.015. So a
+/// surface that is wrong, as in deep shadow, costs a profile no more than that.
 class SurfaceDepth {
  public:
   /// @param line  the track, or the part of it that its mate shows
@@ -32,12 +32,13 @@ class SurfaceDepth {
 
   /// The line of a profile at a parameter of the left segment.
   using LineAt = std::function<const DepthLine&(double parameter)>;
-  /// 0 for a profile on the surface, log(0.015) for one that the surface contradicts; 0 for all if no surface
-  /// is known.
+  /// 0 for a profile on the surface, log(0.015) for one that the surface contradicts; 0 for all if
+  /// no surface is known.
   [[nodiscard]] double log_likelihood(const LineAt& profile) const;
 
   /// The line on the surface, and horizontal lines through each of its known points.
-  /// @param horizontal  direction of a horizontal line in the projection plane; zero if there is none
+  /// @param horizontal  direction of a horizontal line in the projection plane; zero if there is
+  /// none
   [[nodiscard]] std::vector<DepthLine> likely_lines(const Eigen::Vector3d& horizontal) const;
 
   /// A point in the left and the right image, conditioned frames, with its sigma along the line.
@@ -45,8 +46,8 @@ class SurfaceDepth {
     std::array<Eigen::Vector2d, 2> x;
     double sigma_px;
   };
-  /// Two points on the surface, near both ends of the segment. Nothing if fewer than two places are known, or
-  /// if the given line is more than 3 sigma off them.
+  /// Two points on the surface, near both ends of the segment. Nothing if fewer than two places are
+  /// known, or if the given line is more than 3 sigma off them.
   [[nodiscard]] std::optional<std::array<Homologous, 2>> homologous(const DepthLine& line) const;
 
  private:

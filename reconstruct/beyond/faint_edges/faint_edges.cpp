@@ -7,7 +7,8 @@
 namespace ridgeline::reconstruct {
 
 /// Below this ratio, a second look at a soft image takes a seventh of the time of a
-/// run and finds 3 % of the roof edges of the villages of seeds 1 to 3 at a blur of 3 px, none at 2 px.
+/// run and finds 3 % of the roof edges of the villages of seeds 1 to 3 at a blur of 3 px, none at 2
+/// px.
 constexpr double kMoreSmoothing = 1.2;
 
 std::vector<EdgeTrace> with_faint_edges(std::vector<EdgeTrace> known,

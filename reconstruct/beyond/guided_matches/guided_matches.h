@@ -26,14 +26,14 @@ struct GuideOptions {
   double min_similarity = 0.8;  ///< least similarity of a match by its look
 };
 
-/// Looks for the mates of unmatched segments of either view in the other view, where the surfaces beside the
-/// segment predict them (MatePrediction). A step of colour there (step_along()) becomes the mate if both look
-/// alike and if no segment is there already. Such edges are often too weak in one of the views, or too near
-/// to a stronger one, to be found by themselves.
+/// Looks for the mates of unmatched segments of either view in the other view, where the surfaces
+/// beside the segment predict them (MatePrediction). A step of colour there (step_along()) becomes
+/// the mate if both look alike and if no segment is there already. Such edges are often too weak in
+/// one of the views, or too near to a stronger one, to be found by themselves.
 ///
-/// A mate ends where its guide does, so the ends do not count for the look. A fence, or another thing that
-/// stands above the surfaces on both its sides, is not where these surfaces predict it; at times its foot is
-/// found there instead.
+/// A mate ends where its guide does, so the ends do not count for the look. A fence, or another
+/// thing that stands above the surfaces on both its sides, is not where these surfaces predict it;
+/// at times its foot is found there instead.
 /// @param known  the matches of the pair so far
 GuidedMatches guided_matches(const StereoPair& pair,
                              const Surface& surface,

@@ -26,9 +26,9 @@ double mean_of(const cv::Mat& disparity_px) {
   return n > 0 ? sum / static_cast<double>(n) : 0.0;
 }
 
-/// The disparities by the pixels of the right view. If two surfaces fall on one of its pixels, the nearer one
-/// hides the other. It has the larger disparity, so that it comes from a later column and overwrites the
-/// other.
+/// The disparities by the pixels of the right view. If two surfaces fall on one of its pixels, the
+/// nearer one hides the other. It has the larger disparity, so that it comes from a later column
+/// and overwrites the other.
 /// @param moved_px  shift of those pixels along the rows
 cv::Mat seen_from_right(const cv::Mat& disparity_px, double moved_px) {
   cv::Mat right(disparity_px.size(), CV_32F, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));

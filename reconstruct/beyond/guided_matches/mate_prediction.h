@@ -17,9 +17,9 @@ class MatePrediction {
   /// @param from  the view of the segments: 0 left, 1 right
   MatePrediction(const Surface& surface, std::size_t from);
 
-  /// The segment in the other view, in ideal pixels, in the direction of the given one. It lies on the nearer
-  /// surface, which a line bounds. Nothing if that surface is not to be trusted, or within 10 degrees of the
-  /// direction of the base, where a shift along the line changes nothing.
+  /// The segment in the other view, in ideal pixels, in the direction of the given one. It lies on
+  /// the nearer surface, which a line bounds. Nothing if that surface is not to be trusted, or
+  /// within 10 degrees of the direction of the base, where a shift along the line changes nothing.
   [[nodiscard]] std::optional<Segment2> of(const Segment2& segment) const;
 
  private:

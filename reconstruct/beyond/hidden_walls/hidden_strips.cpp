@@ -24,8 +24,8 @@ struct Pair {
   }
 };
 
-/// A strip that one image shows. The other image has one segment for it, and both edges of the strip are
-/// candidates for this segment.
+/// A strip that one image shows. The other image has one segment for it, and both edges of the
+/// strip are candidates for this segment.
 struct HiddenStrip {
   int image = 0;  ///< the image that shows the strip
   Ids lower{}, upper{};
@@ -51,14 +51,15 @@ Eigen::Vector2d px_per_m_up(const Pair& pair,
   return (up.head<2>() - up.z() * x_px) / x.z();
 }
 
-/// Whether a line and `other` may be the edges of something vertical, at most 4 m high, with `other` as the
-/// upper one.
+/// Whether a line and `other` may be the edges of something vertical, at most 4 m high, with
+/// `other` as the upper one.
 bool is_below(const Eigen::Vector2d& px_per_m_up, const CloseLine& other) {
   constexpr double kMaxHeight_m = 4.0;
   return px_per_m_up.dot(other.towards) * kMaxHeight_m > other.distance_px;
 }
 
-/// Whether a segment has such a strip of its own: a line close by on the same side, far enough away.
+/// Whether a segment has such a strip of its own: a line close by on the same side, far enough
+/// away.
 bool shows_strip(const std::vector<CloseLine>& beside,
                  const Eigen::Vector2d& towards,
                  double width_px) {
@@ -115,8 +116,9 @@ int side_of(const EdgeSegment& edge, const Eigen::Vector2d& towards) {
 
 Flank& flank(EdgeSegment& edge, int side) { return side == 0 ? edge.left : edge.right; }
 
-/// The upper candidate with the strip cut out: on the side of the strip it looks as the lower candidate does
-/// beyond the strip. It has no profile across the line, because none can be made that way.
+/// The upper candidate with the strip cut out: on the side of the strip it looks as the lower
+/// candidate does beyond the strip. It has no profile across the line, because none can be made
+/// that way.
 Candidate across(const HiddenStrip& strip, const Pair& pair) {
   EdgeLook look;
   const int above = side_of(pair.segment(0, strip.upper[0]), strip.towards_upper[0]);

@@ -40,8 +40,8 @@ class LoweredStrips {
   /// Width in pixels of the wall that one of the images shows, per metre of its height.
   [[nodiscard]] double wall_px_per_m() const { return std::abs(right_px_per_m_); }
 
-  /// How alike both images show the strip on a level surface that much below the edge. The image that faces the wall shows
-  /// the strip beyond the wall; the other one shows it beside the edge.
+  /// How alike both images show the strip on a level surface that much below the edge. The image
+  /// that faces the wall shows the strip beyond the wall; the other one shows it beside the edge.
   [[nodiscard]] std::optional<SideLook> look_at(double drop_m) const {
     const Eigen::Vector2d shift_px = -drop_m * transfer_.per_height;
     if (right_px_per_m_ > 0.0) {

@@ -38,8 +38,8 @@ Ends ends_of(const std::vector<EdgeTrace>& edges) {
   return {places, SegmentIndex(places)};
 }
 
-/// The samples of a trace at which other edges end or before which it is interrupted, in order. A group of
-/// neighbours gives one sample.
+/// The samples of a trace at which other edges end or before which it is interrupted, in order. A
+/// group of neighbours gives one sample.
 std::vector<std::size_t> junctions_of(std::size_t edge,
                                       const std::vector<EdgeTrace>& edges,
                                       const std::vector<PrincipalAxes>& axes,
@@ -79,10 +79,11 @@ struct Run {
   LineSums sums;
 };
 
-/// How much better two lines fit than one, relative to what a bend needs: the edge bends if this is 1 or
-/// more.
+/// How much better two lines fit than one, relative to what a bend needs: the edge bends if this is
+/// 1 or more.
 double bend_of(const Run& a, const Run& b, double least_bend_px) {
-  // This threshold allows for the two parameters of the second line and for the correlation of edge pixels.
+  // This threshold allows for the two parameters of the second line and for the correlation of edge
+  // pixels.
   constexpr double kSignificant = 40.0;
   const double two_lines = a.sums.residual() + b.sums.residual();
   const LineSums both = a.sums + b.sums;
@@ -128,8 +129,8 @@ void join(std::vector<Run>& runs, double limit, const Cost& cost) {
   }
 }
 
-/// Joins runs that are too short to the neighbour that they continue best. If two junctions are close to each
-/// other, the one at which the edge changes its course stays.
+/// Joins runs that are too short to the neighbour that they continue best. If two junctions are
+/// close to each other, the one at which the edge changes its course stays.
 void join_short(std::vector<Run>& runs, const Points& points, double shortest_px) {
   const auto is_short = [&](const Run& run) {
     return (points[run.last - 1] - points[run.first]).norm() < shortest_px;

@@ -113,8 +113,8 @@ Eigen::SparseMatrix<double> NetworkAdjustment::normal_matrix(Eigen::VectorXd& ri
   for (std::size_t m = 0; m < meetings_.size(); ++m) {
     const auto a = static_cast<std::size_t>(meetings_[m].first);
     const auto b = static_cast<std::size_t>(meetings_[m].second);
-    // Meetings of weight zero are added too: their variance may be asked for, which needs a place in the
-    // pattern.
+    // Meetings of weight zero are added too: their variance may be asked for, which needs a place
+    // in the pattern.
     const OfLinePair miss = meeting(estimates_[a], estimates_[b]);
     const double root = std::sqrt(weights[m]) / sigma_of(m);
     const Eigen::Vector4d by_a = root * bases_[a].transpose() * miss.by_first;

@@ -10,9 +10,9 @@
 
 namespace ridgeline::reconstruct {
 
-/// The adjustment of a group of lines for given weights of their meetings. It makes Gauss-Newton steps on the
-/// manifold of lines, with four unknowns each (line_tangent_basis()). A step is halved if it would not
-/// decrease the sum of squares.
+/// The adjustment of a group of lines for given weights of their meetings. It makes Gauss-Newton
+/// steps on the manifold of lines, with four unknowns each (line_tangent_basis()). A step is halved
+/// if it would not decrease the sum of squares.
 class NetworkAdjustment {
  public:
   /// @param meetings   by indices into `lines`
@@ -32,15 +32,15 @@ class NetworkAdjustment {
   std::vector<double> weights;
 
   /// Returns false if the equations are singular. It has converged if no line moves by more than
-  /// `tolerance_sigma` of its standard deviations. It also stops after `most_passes` and if no step lowers
-  /// the sum.
+  /// `tolerance_sigma` of its standard deviations. It also stops after `most_passes` and if no step
+  /// lowers the sum.
   bool minimise(double tolerance_sigma, int most_passes);
   [[nodiscard]] bool converged() const { return converged_; }
   /// Computes what covariance() and predicted() return; false if the equations are singular.
   bool invert();
 
-  /// The distance by which the lines of a meeting miss each other, as everything but the meeting predicts it,
-  /// in standard deviations of a meeting.
+  /// The distance by which the lines of a meeting miss each other, as everything but the meeting
+  /// predicts it, in standard deviations of a meeting.
   struct Prediction {
     double miss = 0.0;
     double sigma = 0.0;  ///< sigma of the lines; infinite if nothing else controls it

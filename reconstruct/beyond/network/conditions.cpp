@@ -8,9 +8,9 @@
 
 namespace ridgeline::reconstruct {
 
-/// The variance of the distance along the line, v(t) = sigma_q^2 + sigma_phi^2 (t - t_c)^2, gives the
-/// centroid t_c and both sigmas. The distances at t_c + sigma_q / sigma_phi and t_c - sigma_q / sigma_phi are
-/// uncorrelated.
+/// The variance of the distance along the line, v(t) = sigma_q^2 + sigma_phi^2 (t - t_c)^2, gives
+/// the centroid t_c and both sigmas. The distances at t_c + sigma_q / sigma_phi and t_c - sigma_q /
+/// sigma_phi are uncorrelated.
 ImageCondition::ImageCondition(const ProjectionMatrix& image_from_object,
                                const UncertainLine2& observed)
     : image_from_line_(line_projection(image_from_object)) {

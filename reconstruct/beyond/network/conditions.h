@@ -22,9 +22,10 @@ struct OfLinePair {
   Vector6d by_first = Vector6d::Zero(), by_second = Vector6d::Zero();
 };
 
-/// The conditions of an image on a line: the distances of the line's image from two points of the observed
-/// line, over their standard deviation sqrt(2) sigma_q. The points lie on either side of the centroid so that
-/// their distances are uncorrelated. The sign of both distances changes with that of the line.
+/// The conditions of an image on a line: the distances of the line's image from two points of the
+/// observed line, over their standard deviation sqrt(2) sigma_q. The points lie on either side of
+/// the centroid so that their distances are uncorrelated. The sign of both distances changes with
+/// that of the line.
 class ImageCondition {
  public:
   /// @param observed  has a covariance of rank 2: shift at the centroid and direction
@@ -38,8 +39,8 @@ class ImageCondition {
   double sigma_;
 };
 
-/// Signed distance of two lines; its sign depends on the signs of the lines. It is not finite for parallel
-/// lines.
+/// Signed distance of two lines; its sign depends on the signs of the lines. It is not finite for
+/// parallel lines.
 OfLinePair meeting(const Vector6d& first, const Vector6d& second);
 
 /// The sine of the slope of a line, which is its rise over its length; Z is up.
@@ -53,9 +54,9 @@ Eigen::Vector4d end_plane(const ConditionedView& view,
                           const Segment2& segment,
                           const Eigen::Vector2d& x);
 
-/// The condition that the ends of two segments show the same point. Its value is a distance in the right
-/// image along the right segment: from the right end to the point where the line passes through the end plane
-/// of the left segment.
+/// The condition that the ends of two segments show the same point. Its value is a distance in the
+/// right image along the right segment: from the right end to the point where the line passes
+/// through the end plane of the left segment.
 OfLine end_parallax(const Vector6d& line,
                     const Eigen::Vector4d& left_end_plane,
                     const ConditionedView& right_view,

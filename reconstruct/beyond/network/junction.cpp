@@ -10,7 +10,8 @@ namespace {
 
 enum class Place { kEnd, kWithin, kBeyond };
 
-/// Where the crossings with another line lie on the segments of a line, mean of the images that show both.
+/// Where the crossings with another line lie on the segments of a line, mean of the images that
+/// show both.
 Place place_of(const ConditionedViews& frames,
                const ObservedTrack& line,
                const ObservedTrack& other) {

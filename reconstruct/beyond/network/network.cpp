@@ -50,8 +50,9 @@ std::vector<Group> connected_groups(std::size_t n_lines, std::span<const Meeting
 
 double square(double x) { return x * x; }
 
-/// Posterior probability that two lines meet, by how far everything else predicts that they miss each other.
-/// The miss is normally distributed if they meet, and otherwise about uniform over max_miss_m.
+/// Posterior probability that two lines meet, by how far everything else predicts that they miss
+/// each other. The miss is normally distributed if they meet, and otherwise about uniform over
+/// max_miss_m.
 double probability(const Junction& junction,
                    const NetworkAdjustment::Prediction& predicted,
                    const BuildingOptions& options) {
@@ -66,10 +67,11 @@ double probability(const Junction& junction,
   return prior * inlier / (prior * inlier + (1.0 - prior) * outlier);
 }
 
-/// Expectation maximisation over whether the lines meet: each meeting is weighted by its probability, given
-/// all others at their weights. A meeting that is improbable for the two lines alone is never used, because
-/// false meetings of one line, as of a road marking with the cars beside it, would support each other. The
-/// meetings are decided at the end. Returns false if the equations are singular.
+/// Expectation maximisation over whether the lines meet: each meeting is weighted by its
+/// probability, given all others at their weights. A meeting that is improbable for the two lines
+/// alone is never used, because false meetings of one line, as of a road marking with the cars
+/// beside it, would support each other. The meetings are decided at the end. Returns false if the
+/// equations are singular.
 bool decide_meetings(NetworkAdjustment& adjustment, const BuildingOptions& options) {
   constexpr int kMaxRounds = 20;
   constexpr double kSettled = 1e-3;      // largest change of a weight

@@ -63,7 +63,8 @@ double SparseInverse::inverse_at(int row, int column) const {
   return c.inverse[static_cast<std::size_t>(found - c.rows.begin())];
 }
 
-/// The columns are computed from the last to the first: Z_ij = [i = j] / D_j - sum over k > j of L_kj Z_ik.
+/// The columns are computed from the last to the first: Z_ij = [i = j] / D_j - sum over k > j of
+/// L_kj Z_ik.
 void SparseInverse::invert() {
   for (std::size_t j = columns_.size(); j-- > 0;) {
     Column& column = columns_[j];

@@ -9,9 +9,10 @@
 
 namespace ridgeline::reconstruct {
 
-/// Cholesky factors of a symmetric positive definite sparse matrix, and those elements of its inverse that
-/// lie in the pattern of the factors. These are all that covariances of connected unknowns need. They take
-/// about the time of the factorisation (Takahashi et al. 1973), while the whole inverse is dense.
+/// Cholesky factors of a symmetric positive definite sparse matrix, and those elements of its
+/// inverse that lie in the pattern of the factors. These are all that covariances of connected
+/// unknowns need. They take about the time of the factorisation (Takahashi et al. 1973), while the
+/// whole inverse is dense.
 class SparseInverse {
  public:
   /// Factorises a matrix given by its lower triangle. Empty if the matrix is not positive definite.

@@ -23,12 +23,13 @@ constexpr int kMaxRows = 40;    // most rows that a profile is averaged over
 
 /// Profiles as alike as this show the same surfaces on both sides.
 constexpr double kMinNcc = 0.985;
-/// Profiles are registered if that makes them more alike by at least this. Both limits were chosen by the
-/// true errors on simulated training villages: 31 of 37 registered lines come closer to the true line, 3 move
-/// away.
+/// Profiles are registered if that makes them more alike by at least this. Both limits were chosen
+/// by the true errors on simulated training villages: 31 of 37 registered lines come closer to the
+/// true line, 3 move away.
 constexpr double kMinGain = 0.003;
 
-/// Mean colours along a line at steps across it, -n..n; empty if a sample lies outside of the image.
+/// Mean colours along a line at steps across it, -n..n; empty if a sample lies outside of the
+/// image.
 std::vector<Colour> profile_across(const ImageSampler& image,
                                    const std::vector<Eigen::Vector2d>& on_line,
                                    const Eigen::Vector2d& side,

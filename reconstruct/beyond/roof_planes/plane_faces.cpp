@@ -19,8 +19,9 @@ constexpr double kMaxFaceSlope = 0.6;  // change of disparity per pixel; walls h
 constexpr double kMinKnownShare = 0.5;  // share of a cell's pixels that have a disparity
 constexpr int kMinCells = 12;
 
-/// Moments of pixels (x, y, disparity), from which planes and the distances of the pixels from them follow.
-/// They are moments about the mean, so that a small face far from the first pixel loses no digits.
+/// Moments of pixels (x, y, disparity), from which planes and the distances of the pixels from them
+/// follow. They are moments about the mean, so that a small face far from the first pixel loses no
+/// digits.
 struct PlaneSums {
   double n = 0.0;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -176,8 +177,8 @@ class Growing {
     result_.faces.push_back({plane, covariance(inner, plane), static_cast<int>(members.size())});
   }
 
-  /// Sums over the cells of a face with all neighbours in it, because cells on its border may hold what is
-  /// beyond.
+  /// Sums over the cells of a face with all neighbours in it, because cells on its border may hold
+  /// what is beyond.
   PlaneSums inner_sums(const std::vector<std::pair<int, int>>& members, int index) {
     PlaneSums inner;
     const auto is_member = [&](int row, int column) {

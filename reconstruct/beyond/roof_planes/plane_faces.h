@@ -10,7 +10,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// A plane in the disparities of the rectified left view, d = a x + b y + c, on which many pixels lie.
+/// A plane in the disparities of the rectified left view, d = a x + b y + c, on which many pixels
+/// lie.
 struct PlaneFace {
   Eigen::Vector3d plane = Eigen::Vector3d::Zero();  ///< a, b, c
   Eigen::Matrix3d cov = Eigen::Matrix3d::Zero();
@@ -36,9 +37,10 @@ struct PlaneFaces {
   }
 };
 
-/// Grows faces from the most planar cells. A face grows as long as the next cell lies on the plane of the
-/// cells before it to 0.4 px, root mean square. The plane of a face is then fitted to its inner cells. Faces
-/// of less than 12 cells or without an inner one and surfaces as steep as walls are left out.
+/// Grows faces from the most planar cells. A face grows as long as the next cell lies on the plane
+/// of the cells before it to 0.4 px, root mean square. The plane of a face is then fitted to its
+/// inner cells. Faces of less than 12 cells or without an inner one and surfaces as steep as walls
+/// are left out.
 PlaneFaces plane_faces(const Surface& surface);
 
 }  // namespace ridgeline::reconstruct

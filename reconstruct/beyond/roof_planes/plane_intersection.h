@@ -13,8 +13,8 @@ struct PointOfPlanes {
   Eigen::Matrix<double, 3, 6> by_planes;
 };
 
-/// The point of two planes at a place on their intersection in the rectified left view. If the planes change,
-/// the point moves across the intersection, not along it.
+/// The point of two planes at a place on their intersection in the rectified left view. If the
+/// planes change, the point moves across the intersection, not along it.
 /// @param first, second  planes d = a x + b y + c, of different slope (a, b)
 /// @param x_px           place on the intersection
 PointOfPlanes point_of_planes(const Rectification& r,

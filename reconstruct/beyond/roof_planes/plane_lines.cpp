@@ -52,7 +52,8 @@ Borders borders_of(const PlaneFaces& faces) {
   return borders;
 }
 
-/// The part of the intersection of two planes along which their faces border on each other, rectified.
+/// The part of the intersection of two planes along which their faces border on each other,
+/// rectified.
 std::optional<Segment2> crease(const PlaneFace& a,
                                const PlaneFace& b,
                                const std::vector<Eigen::Vector2d>& border) {

@@ -8,8 +8,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// Where the costs of the disparities of all pixels are kept: row by row, those of a pixel together. It refers to the
-/// ranges.
+/// Where the costs of the disparities of all pixels are kept: row by row, those of a pixel
+/// together. It refers to the ranges.
 class CostLayout {
  public:
   explicit CostLayout(const DisparityRanges& ranges);
@@ -23,7 +23,8 @@ class CostLayout {
     return row.start + y_in_cell * row.row_length + in_row(x, y);
   }
 
-  /// Number of costs of the longest row, with those of a step of disparities before and after every pixel.
+  /// Number of costs of the longest row, with those of a step of disparities before and after every
+  /// pixel.
   [[nodiscard]] std::size_t padded_row_size() const { return padded_row_size_; }
   /// Place of the first cost of a pixel in such a row.
   [[nodiscard]] std::size_t in_padded_row(int x, int y) const {

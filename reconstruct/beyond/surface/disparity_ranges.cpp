@@ -7,8 +7,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// How far beside a cell coarse disparities count at first, as they place a step to a few pixels only, and
-/// how far at most.
+/// How far beside a cell coarse disparities count at first, as they place a step to a few pixels
+/// only, and how far at most.
 constexpr int kBeside_px = 4;
 constexpr int kMaxBeside_px = 64;
 /// Disparities that are searched below and above those of the coarse image.

@@ -17,7 +17,8 @@ struct DisparityRange {
   [[nodiscard]] bool operator==(const DisparityRange&) const = default;
 };
 
-/// The disparities that are searched in each cell of an image. Nothing is searched in a cell whose n is 0.
+/// The disparities that are searched in each cell of an image. Nothing is searched in a cell whose
+/// n is 0.
 struct DisparityRanges {
   static constexpr int kCell_px = 16;
 
@@ -38,9 +39,10 @@ struct DisparityRanges {
 /// @param n_all  a multiple of DisparityRange::kStep
 DisparityRanges all_disparities(const cv::Size& size_px, int n_all);
 
-/// The disparities around those of an image of half the size. Where this coarse image knows less than half of
-/// the surroundings of a cell, wider surroundings decide. Nothing is searched if these know too little, too,
-/// or if what they know spans more than 256 disparities, which bounds the memory.
+/// The disparities around those of an image of half the size. Where this coarse image knows less
+/// than half of the surroundings of a cell, wider surroundings decide. Nothing is searched if these
+/// know too little, too, or if what they know spans more than 256 disparities, which bounds the
+/// memory.
 /// @param coarse_px  CV_32F, disparities in coarse pixels, negative where they are not known
 /// @param size_px    of the image; the coarse one may lack half of its last row and column
 /// @param n_all      a multiple of DisparityRange::kStep

@@ -10,7 +10,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// An image of half the size, by the means of 2 x 2 pixels. What is left of odd rows and columns is cut off.
+/// An image of half the size, by the means of 2 x 2 pixels. What is left of odd rows and columns is
+/// cut off.
 cv::Mat halved(const cv::Mat& image) {
   const cv::Size half(image.cols / 2, image.rows / 2);
   cv::Mat result;

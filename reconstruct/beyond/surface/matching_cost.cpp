@@ -50,8 +50,8 @@ struct Pixels {
   cv::v_uint8x16 value, low, high;
 };
 
-/// How far each value lies outside of the other one's bounds; the less of both. Differences of such vectors are
-/// never below 0.
+/// How far each value lies outside of the other one's bounds; the less of both. Differences of such
+/// vectors are never below 0.
 cv::v_uint8x16 differences(const Pixels& left, const Pixels& right) {
   return cv::v_min(cv::v_max(left.value - right.high, right.low - left.value),
                    cv::v_max(right.value - left.high, left.low - right.value));

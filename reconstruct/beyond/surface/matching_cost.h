@@ -11,29 +11,32 @@
 
 namespace ridgeline::reconstruct {
 
-/// How unlike the pixels of two rectified views are: absolute differences of the gradient along the rows and,
-/// a quarter of them, of the grey values, in all bands and over 5 x 5 pixels. They do not depend on where
-/// pixels sample an edge (Birchfield and Tomasi 1998). The same costs as those of cv::StereoSGBM.
+/// How unlike the pixels of two rectified views are: absolute differences of the gradient along the
+/// rows and, a quarter of them, of the grey values, in all bands and over 5 x 5 pixels. They do not
+/// depend on where pixels sample an edge (Birchfield and Tomasi 1998). The same costs as those of
+/// cv::StereoSGBM.
 class MatchingCost {
  public:
   static constexpr int kBlock_px = 5;
 
   /// @param left   CV_8UC1 or CV_8UC3
-  /// @param right  the same rows and bands, `n_all` columns wider: column x of the left view and disparity d belong
+  /// @param right  the same rows and bands, `n_all` columns wider: column x of the left view and
+  /// disparity d belong
   ///               to its column x + n_all - d
   /// @param most   larger costs become this one
   MatchingCost(const cv::Mat& left, const cv::Mat& right, std::int16_t most);
 
   /// Writes the costs of a cell. Outside of the view its border counts on.
   /// @param range  within [0, n_all)
-  /// @param rows   where the costs of each row of the cell are written, pixel by pixel, `range.n` each
+  /// @param rows   where the costs of each row of the cell are written, pixel by pixel, `range.n`
+  /// each
   void of_cell(const cv::Rect& cell,
                const DisparityRange& range,
                std::span<std::int16_t* const> rows) const;
 
  private:
-  /// The gradients of all bands and then the grey values of all bands, one after the other in each row: the
-  /// values themselves, and the least and the largest within half a pixel.
+  /// The gradients of all bands and then the grey values of all bands, one after the other in each
+  /// row: the values themselves, and the least and the largest within half a pixel.
   struct Planes {
     cv::Mat value, low, high;
   };

@@ -11,8 +11,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// The matrix from rays to pixels of a camera, scaled so that its third row gives the depth of what lies in
-/// front.
+/// The matrix from rays to pixels of a camera, scaled so that its third row gives the depth of what
+/// lies in front.
 Eigen::Matrix3d image_from_ray(const ProjectionMatrix& camera) {
   const Eigen::Matrix3d m = camera.leftCols<3>();
   return m * ((m.determinant() < 0.0 ? -1.0 : 1.0) / m.row(2).norm());

@@ -12,9 +12,10 @@
 
 namespace ridgeline::reconstruct {
 
-/// A pair of views turned so that corresponding pixels lie in one row, further left in the right view by the
-/// disparity d > 0. Both turned cameras have the same axes, focal length and principal point; rows run along
-/// the base. Rectified pixels are about as large as those of the left image in its middle.
+/// A pair of views turned so that corresponding pixels lie in one row, further left in the right
+/// view by the disparity d > 0. Both turned cameras have the same axes, focal length and principal
+/// point; rows run along the base. Rectified pixels are about as large as those of the left image
+/// in its middle.
 struct Rectification {
   std::array<Eigen::Matrix3d, 2> rectified_from_ideal;  ///< homographies of the views
   Eigen::Matrix3d rectified_from_local;                 ///< rotation of the axes
@@ -39,18 +40,19 @@ struct Rectification {
                                               double z_in_local_m) const;
 };
 
-/// The rectification of a pair, for any rotation between the views. Nothing if a view looks along the base,
-/// or nearly so, which means that the left image would grow to more than four times its area.
+/// The rectification of a pair, for any rotation between the views. Nothing if a view looks along
+/// the base, or nearly so, which means that the left image would grow to more than four times its
+/// area.
 /// @param size_px  size of the left image
 std::optional<Rectification> rectification(const std::array<ProjectionMatrix, 2>& cameras,
                                            const cv::Size& size_px);
 
-/// The pixel of an image that belongs to an ideal pixel, by iteration; not a number if the distortion is not
-/// known there.
+/// The pixel of an image that belongs to an ideal pixel, by iteration; not a number if the
+/// distortion is not known there.
 Eigen::Vector2d image_from_ideal(const PixelMap& ideal_from_image, const Eigen::Vector2d& ideal_px);
 
-/// The pixels of an image that rectified pixels show, CV_32FC2 for cv::remap; bilinear between every eighth
-/// one.
+/// The pixels of an image that rectified pixels show, CV_32FC2 for cv::remap; bilinear between
+/// every eighth one.
 /// @param tile              box in rectified pixels
 /// @param ideal_from_image  empty for an image without distortion
 cv::Mat image_from_rectified(const Eigen::Matrix3d& rectified_from_ideal,

@@ -18,7 +18,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Cost of a disparity that is not in the range of the pixel before. More than any other, also with a penalty.
+/// Cost of a disparity that is not in the range of the pixel before. More than any other, also with
+/// a penalty.
 constexpr std::int16_t kNever = 16000;
 
 /// Penalties of a change of disparity along a path, by one pixel and by more.
@@ -32,8 +33,8 @@ Penalties penalties_of(const cv::Mat& view) {
   return {static_cast<std::int16_t>(8 * block), static_cast<std::int16_t>(32 * block)};
 }
 
-/// The most that pixels may cost so that the sum over eight paths takes 16 bits, as a path costs at most the large
-/// penalty more.
+/// The most that pixels may cost so that the sum over eight paths takes 16 bits, as a path costs at
+/// most the large penalty more.
 std::int16_t most_cost(const Penalties& penalties) {
   constexpr int kMaxPathCost = std::numeric_limits<std::uint16_t>::max() / 8;
   return static_cast<std::int16_t>(kMaxPathCost - penalties.large);
@@ -50,8 +51,8 @@ struct PathCost {
   std::int16_t least;
 };
 
-/// Follows a path to the next pixel (Eq. 13 of Hirschmueller 2008), adds what it costs there to the sums over all
-/// paths, and gives the least of these costs.
+/// Follows a path to the next pixel (Eq. 13 of Hirschmueller 2008), adds what it costs there to the
+/// sums over all paths, and gives the least of these costs.
 std::int16_t follow(const PathCost& before,
                     const std::int16_t* __restrict matching,
                     int n,
@@ -113,8 +114,8 @@ class SemiGlobal {
     }
   }
 
-  /// Follows the paths of four directions through all pixels, from the upper left (sign = 1) or from the lower right
-  /// (sign = -1), and tells of every row that is done.
+  /// Follows the paths of four directions through all pixels, from the upper left (sign = 1) or
+  /// from the lower right (sign = -1), and tells of every row that is done.
   template <typename RowDone>
   void follow_four_paths(int sign, const RowDone& row_done) {
     const std::array<cv::Point, 4> steps{{{sign, 0}, {sign, sign}, {0, sign}, {-sign, sign}}};

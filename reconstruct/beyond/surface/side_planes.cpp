@@ -84,8 +84,8 @@ std::optional<Eigen::Vector3d> best_plane(const std::vector<Sample>& samples) {
   return best;
 }
 
-/// Fits a plane by least squares to samples that lie on one. Neighbours err together, as the matching
-/// smooths.
+/// Fits a plane by least squares to samples that lie on one. Neighbours err together, as the
+/// matching smooths.
 SidePlane fitted(const std::vector<Sample>& samples, const Eigen::Vector3d& start) {
   constexpr double kTogether = 100.0;  // pixels that err together
   // Sigma of the slope away from the line, px per px: that of roofs.

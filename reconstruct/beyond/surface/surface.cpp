@@ -17,8 +17,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Most disparities of a tile. A tile stays unknown if the range of heights has more, or if its rays do not
-/// reach this range.
+/// Most disparities of a tile. A tile stays unknown if the range of heights has more, or if its
+/// rays do not reach this range.
 constexpr double kMaxDisparities = 4096.0;
 
 /// Disparities of a tile, [least, least + n).

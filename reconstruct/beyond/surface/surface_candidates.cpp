@@ -23,8 +23,8 @@ double edge_sigma_px(const Segment2& rectified) {
   return kAcross_px / std::max(std::abs(along(rectified).y()), kMinSine);
 }
 
-/// Square of the misfit to the side that a line agrees with better, in standard deviations. Nothing if a side
-/// that is not trusted may explain the line.
+/// Square of the misfit to the side that a line agrees with better, in standard deviations. Nothing
+/// if a side that is not trusted may explain the line.
 std::optional<double> squared_misfit(const SidesOfPiece& piece, double d_px, double edge_sigma_px) {
   constexpr double kMaxOffset = 3.0;
   double best = HUGE_VAL;

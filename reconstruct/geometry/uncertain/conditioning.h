@@ -22,8 +22,8 @@ struct ObjectConditioning {
   }
 };
 
-/// Translation and scale that bring a patch of an image to unit size: x_in_conditioned = (x_px - centre) /
-/// scale.
+/// Translation and scale that bring a patch of an image to unit size: x_in_conditioned = (x_px -
+/// centre) / scale.
 struct ImageConditioning {
   Eigen::Vector2d centre_px = Eigen::Vector2d::Zero();
   double scale_px = 1.0;

@@ -25,15 +25,16 @@ inline Eigen::Matrix3d skew(const Eigen::Vector3d& a) {
   return (Eigen::Matrix3d() << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0).finished();
 }
 
-/// Covariance J cov J' of a function of a quantity with covariance cov; J is the function's Jacobian. The
-/// templates of this file are compiled in homogeneous.cpp, for the sizes listed there, because Eigen takes
-/// seconds for each.
+/// Covariance J cov J' of a function of a quantity with covariance cov; J is the function's
+/// Jacobian. The templates of this file are compiled in homogeneous.cpp, for the sizes listed
+/// there, because Eigen takes seconds for each.
 template <int M, int N>
 Eigen::Matrix<double, M, M> propagated(const Eigen::Matrix<double, M, N>& jacobian,
                                        const Eigen::Matrix<double, N, N>& cov);
 
-/// Q of the QR decomposition of a matrix, by Householder reflections. Its last columns are an orthonormal basis of what is
-/// orthogonal to all columns of the matrix. The compiler takes seconds for each size of Eigen's own, which gives the same bits.
+/// Q of the QR decomposition of a matrix, by Householder reflections. Its last columns are an
+/// orthonormal basis of what is orthogonal to all columns of the matrix. The compiler takes seconds
+/// for each size of Eigen's own, which gives the same bits.
 template <int Rows, int Cols>
 Eigen::Matrix<double, Rows, Rows> orthogonal_factor(Eigen::Matrix<double, Rows, Cols> a);
 
@@ -48,11 +49,12 @@ template <int N>
 Uncertain<N> spherically_normalised(const Uncertain<N>& x);
 
 /// a x b of uncorrelated a and b: the join of two image points (Ok et al. 2011, Eq. 1) or the
-/// intersection of two image lines (Eq. 2). The result is not normalised; it is zero if both are the same
-/// entity.
+/// intersection of two image lines (Eq. 2). The result is not normalised; it is zero if both are
+/// the same entity.
 Uncertain<3> cross(const Uncertain<3>& a, const Uncertain<3>& b);
 
-/// The unit vector that the rows map nearest to zero: the right singular vector of the smallest singular value.
+/// The unit vector that the rows map nearest to zero: the right singular vector of the smallest
+/// singular value.
 template <int N>
 Eigen::Matrix<double, N, 1> null_vector(const Eigen::Matrix<double, Eigen::Dynamic, N>& rows);
 

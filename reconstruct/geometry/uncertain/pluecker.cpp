@@ -97,8 +97,8 @@ std::optional<UncertainLine3> intersection(const UncertainPlane3& a, const Uncer
   constexpr double kMinSine = 1e-9;  // a smaller one makes the direction rounding error
   const Eigen::Vector3d normal_a = a.mean.head<3>();
   const Eigen::Vector3d normal_b = b.mean.head<3>();
-  // The condition is negated so that a plane without a normal (at infinity, or NaN) has no intersection
-  // either.
+  // The condition is negated so that a plane without a normal (at infinity, or NaN) has no
+  // intersection either.
   if (!(normal_a.cross(normal_b).norm() > kMinSine * normal_a.norm() * normal_b.norm())) {
     return std::nullopt;
   }

@@ -41,8 +41,8 @@ UncertainLine2 centroid_line(const LineFrame& s) {
   return {line, jacobian * variances.asDiagonal() * jacobian.transpose()};
 }
 
-/// An endpoint. Its variance along the line is sigma_e^2; across the line it is that of the line at this
-/// place.
+/// An endpoint. Its variance along the line is sigma_e^2; across the line it is that of the line at
+/// this place.
 UncertainPoint2 endpoint(const LineFrame& s, const Eigen::Vector2d& x) {
   const double distance = s.along.dot(x - s.centroid);
   const double across = s.sigma_q * s.sigma_q + std::pow(distance * s.sigma_phi_rad, 2);

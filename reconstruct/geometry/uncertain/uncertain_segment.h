@@ -34,10 +34,9 @@ enum class LineCovariance : std::uint8_t {
 
 /// The line of a segment in the conditioned image, oriented from start to end, spherically
 /// normalised. The endpoints of a regression line are correlated (-2 sigma_q^2 against a variance
-/// of 4 sigma_q^2 for an unweighted one). `kEq1` ignores that, as the paper does. This doubles the variance
-/// across the line and takes a third off the variance of the direction.
-/// Throws std::invalid_argument unless the segment has a length and sigma_q, sigma_phi are
-/// positive.
+/// of 4 sigma_q^2 for an unweighted one). `kEq1` ignores that, as the paper does. This doubles the
+/// variance across the line and takes a third off the variance of the direction. Throws
+/// std::invalid_argument unless the segment has a length and sigma_q, sigma_phi are positive.
 UncertainLine2 uncertain_line(const UncertainSegment2& segment,
                               LineCovariance form,
                               const ImageConditioning& image = {});

@@ -28,9 +28,9 @@ struct LineEquations {
   Vector6d right = Vector6d::Zero();   ///< -sum C' S^-1 (C M)
   double omega = 0.0;                  ///< sum (C M)' S^-1 (C M)
 
-  /// C is taken at the fitted entity e + cov_e G' S^-1 C M, which is on the line. With the observed entity
-  /// the right side would not be the gradient of omega, and lines whose planes nearly coincide would
-  /// oscillate.
+  /// C is taken at the fitted entity e + cov_e G' S^-1 C M, which is on the line. With the observed
+  /// entity the right side would not be the gradient of omega, and lines whose planes nearly
+  /// coincide would oscillate.
   void add(const Incidence& incidence, const Uncertain<4>& entity) {
     const Eigen::Matrix<double, 2, 4>& g = incidence.g;
     const Eigen::Vector2d misclosure = -g * entity.mean;
@@ -107,8 +107,8 @@ Increment solve(const LineEquations& n, const Vector6d& line) {
           .full_rank = rank == 4};
 }
 
-/// The null vector of all conditions, stacked without weights. Horizontality is one of them, because the
-/// iteration does not find it from a vertical line.
+/// The null vector of all conditions, stacked without weights. Horizontality is one of them,
+/// because the iteration does not find it from a vertical line.
 Vector6d start_line(const LineConditions& c) {
   Eigen::Matrix<double, Eigen::Dynamic, 6> stacked(4 * (c.planes.size() + c.points.size()) + 1, 6);
   Eigen::Index row = 0;
@@ -125,8 +125,8 @@ Vector6d start_line(const LineConditions& c) {
   return project_to_pluecker_quadric(null_vector(stacked));
 }
 
-/// The component of the line that chooses the rows. It is kept within an adjustment until another one has
-/// become more than twice as large, because a change of rows between passes can oscillate.
+/// The component of the line that chooses the rows. It is kept within an adjustment until another
+/// one has become more than twice as large, because a change of rows between passes can oscillate.
 int keep_or_replace(int dominant, const Vector6d& line) {
   const int largest = dominant_component(line);
   return std::abs(line(largest)) > 2.0 * std::abs(line(dominant)) ? largest : dominant;
@@ -153,7 +153,8 @@ std::optional<AdjustedLine> adjust_line(std::span<const UncertainPlane3> planes,
                                         std::span<const UncertainPoint3> points,
                                         std::optional<double> sigma_slope) {
   constexpr int kMaxPasses = 20;
-  // 0.01 would be enough for the accuracy. This makes the result independent of the frame to the last digits.
+  // 0.01 would be enough for the accuracy. This makes the result independent of the frame to the
+  // last digits.
   constexpr double kConvergedSigma = 1e-6;
   if (planes.size() + points.size() < 2) return std::nullopt;
 

@@ -32,8 +32,8 @@ struct AdjustedLine {
 /// Coincident planes fix two of the four freedoms, each point one more. Started from the null
 /// vector of the stacked conditions; at most 20 passes. Empty for fewer than two entities or a
 /// result that is not finite.
-/// With `sigma_slope` the line is also horizontal within it: condition L_h,z / |L_h| = 0, one freedom
-/// more, Z being up.
+/// With `sigma_slope` the line is also horizontal within it: condition L_h,z / |L_h| = 0, one
+/// freedom more, Z being up.
 std::optional<AdjustedLine> adjust_line(std::span<const UncertainPlane3> planes,
                                         std::span<const UncertainPoint3> points,
                                         std::optional<double> sigma_slope = std::nullopt);

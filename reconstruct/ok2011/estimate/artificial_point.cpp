@@ -59,8 +59,9 @@ Eigen::Vector4d first_guess(std::span<const PointObservation> observations) {
   return null_vector(stacked);
 }
 
-/// The normal equations bordered by the length constraint h = (X'X - 1) / 2. Their upper block is divided by
-/// `scale`, so that block and border have the same size for any precision of the observations.
+/// The normal equations bordered by the length constraint h = (X'X - 1) / 2. Their upper block is
+/// divided by `scale`, so that block and border have the same size for any precision of the
+/// observations.
 struct NormalEquations {
   Matrix5d matrix = Matrix5d::Zero();
   Vector5d right = Vector5d::Zero();

@@ -24,10 +24,10 @@ struct EstimatedPoint {
 };
 
 /// The 3D point of its images by an iterated Gauss-Helmert adjustment with one constraint (Ok et
-/// al. 2011, Eqs. 3 and 4): observations x_j, conditions S_r(x_j) P_j X = 0, constraint |X| = 1. It starts
-/// from the null vector of the stacked S(x_j) P_j. Two observations or more are needed; they count as
-/// uncorrelated. Empty if it does not converge in ten passes or the point is not determined. Throws
-/// std::invalid_argument for fewer than two observations.
+/// al. 2011, Eqs. 3 and 4): observations x_j, conditions S_r(x_j) P_j X = 0, constraint |X| = 1. It
+/// starts from the null vector of the stacked S(x_j) P_j. Two observations or more are needed; they
+/// count as uncorrelated. Empty if it does not converge in ten passes or the point is not
+/// determined. Throws std::invalid_argument for fewer than two observations.
 std::optional<EstimatedPoint> estimate_point(std::span<const PointObservation> observations);
 
 }  // namespace ridgeline::reconstruct

@@ -27,7 +27,8 @@ Crossings crossings(const ObservedTrack& line, const ObservedTrack& mate) {
   return all;
 }
 
-/// The epipolar lines of the first view are those of the second one; of all others, those of the first one.
+/// The epipolar lines of the first view are those of the second one; of all others, those of the
+/// first one.
 PairMeasures measures(const ConditionedViews& frames, const Crossings& crossings) {
   std::vector<PairMeasures> images;
   for (std::size_t j = 0; j < crossings.seen.size(); ++j) {

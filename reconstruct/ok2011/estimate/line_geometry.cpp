@@ -13,8 +13,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// The plane through the image line that is normal to the segment at `x`. Only the position of x along the
-/// segment makes it uncertain.
+/// The plane through the image line that is normal to the segment at `x`. Only the position of x
+/// along the segment makes it uncertain.
 UncertainPlane3 end_plane(const ConditionedView& view,
                           const ObservedLine& observed,
                           const Eigen::Vector2d& x) {
@@ -43,8 +43,8 @@ Segment3 local_from_conditioned(const ObjectConditioning& object, const Segment3
   return {object.local_from_conditioned(s.start), object.local_from_conditioned(s.end)};
 }
 
-/// Whether the ends of the base segment lie so far beyond a short partner that the line is no longer known
-/// there, while it is better known between the partner's ends.
+/// Whether the ends of the base segment lie so far beyond a short partner that the line is no
+/// longer known there, while it is better known between the partner's ends.
 bool is_extrapolated(const UncertainSegment3& base,
                      const UncertainSegment3& partner,
                      double scale_m,
@@ -69,7 +69,8 @@ struct Reach {
   double sigma = 0.0;      ///< of the parameter
 };
 
-/// The farthest end that two views show: of the views that agree with the second farthest one, the middle one.
+/// The farthest end that two views show: of the views that agree with the second farthest one, the
+/// middle one.
 Endpoint end_of_two_views(std::vector<Reach> by_view) {
   constexpr double kAgreeingSigma = 3.0;
   std::ranges::sort(by_view, std::greater{}, &Reach::parameter);
@@ -81,7 +82,8 @@ Endpoint end_of_two_views(std::vector<Reach> by_view) {
   return by_view[by_view.size() / 2].end;
 }
 
-/// The part of a line with three sightings or more that two views show; nothing if no part is shown by two.
+/// The part of a line with three sightings or more that two views show; nothing if no part is shown
+/// by two.
 std::optional<UncertainSegment3> part_of_two_views(const ConditionedViews& frames,
                                                    const ObservedTrack& seen,
                                                    const UncertainLine3& line,

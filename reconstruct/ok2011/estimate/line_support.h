@@ -16,8 +16,9 @@ namespace ridgeline::reconstruct {
 struct LineSupport {
   ObservedTrack seen;                    ///< the track, or the part of it that shows the line
   std::vector<CandidatePoint> points{};  ///< artificial points, one per region at most
-  /// Points in space that the base and its partner show on their segments. They lie on the surface beside the line if it
-  /// is known. Otherwise they are the ends of the segments, used if the artificial points fix no direction.
+  /// Points in space that the base and its partner show on their segments. They lie on the surface
+  /// beside the line if it is known. Otherwise they are the ends of the segments, used if the
+  /// artificial points fix no direction.
   std::vector<UncertainPoint3> ends{};
   /// The points of `ends` as seen in the base view and that of its partner, conditioned.
   std::vector<std::array<Eigen::Vector2d, 2>> ends_in_images{};
@@ -32,7 +33,8 @@ struct LineSupport {
 std::vector<CandidatePoint> best_of_regions(std::span<const CandidatePoint> candidates,
                                             const ReconstructOptions& options);
 
-/// The line of a match and the points of highest weight in each region (Ok et al. 2011, section 3.1).
+/// The line of a match and the points of highest weight in each region (Ok et al. 2011,
+/// section 3.1).
 LineSupport published_support(const TrackedLines& lines,
                               const ObservedTrack& line,
                               std::span<const int> neighbours,

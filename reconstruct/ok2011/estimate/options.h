@@ -11,8 +11,9 @@
 
 namespace ridgeline::reconstruct {
 
-/// kDirect and kJoint are those of Ok et al. 2011, section 3. The others are ours: kNetwork, kPlanes (lines that no edge
-/// shows) and kLines (those of kNetwork, and of kPlanes where no edge gives one).
+/// kDirect and kJoint are those of Ok et al. 2011, section 3. The others are ours: kNetwork,
+/// kPlanes (lines that no edge shows) and kLines (those of kNetwork, and of kPlanes where no edge
+/// gives one).
 enum class Method : std::uint8_t { kPlanes, kDirect, kJoint, kNetwork, kLines };
 inline constexpr std::array kMethods{Method::kLines, Method::kNetwork, Method::kJoint,
                                      Method::kDirect, Method::kPlanes};

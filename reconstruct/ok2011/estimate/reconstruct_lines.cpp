@@ -101,8 +101,8 @@ void give_up(Status why, ReconstructedLine& result) {
   result.partner_segment_in_local.reset();
 }
 
-/// `result` comes with the line by the method `direct`. The line is replaced if there are points or ends to
-/// adjust it to. It loses its geometry if its depth is ambiguous or the adjustment fails.
+/// `result` comes with the line by the method `direct`. The line is replaced if there are points or
+/// ends to adjust it to. It loses its geometry if its depth is ambiguous or the adjustment fails.
 void reconstruct_joint(const TrackedLines& lines,
                        const LineSupport& support,
                        double max_end_sigma_m,
@@ -127,7 +127,8 @@ void reconstruct_joint(const TrackedLines& lines,
   if (!adjusted->full_rank) result.covariance_m2.reset();
 }
 
-/// The lines of an aligned track by the method `joint`. `direct` is its one line by the method `direct`.
+/// The lines of an aligned track by the method `joint`. `direct` is its one line by the method
+/// `direct`.
 std::vector<JointLine> reconstruct_aligned(const TrackedLines& lines,
                                            const std::vector<LineSupport>& parts,
                                            double max_end_sigma_m,
@@ -246,7 +247,8 @@ std::vector<ReconstructedLine> reconstruct_lines(const TrackedSegments& tracked,
   const std::span<const Track> tracks = tracked.tracks;
   const Neighbours neighbours = neighbours_of(tracked.connections, tracks.size());
   if (tracks.empty()) return {};
-  // The consensus on the depth of aligned lines uses the lines that these meet as they were extracted, not as registered.
+  // The consensus on the depth of aligned lines uses the lines that these meet as they were
+  // extracted, not as registered.
   const TrackedLines lines = tracked_lines(tracked, extracted(tracked), options.line_covariance);
   const std::vector<Sightings> corrected = registered(tracked);
   const std::vector<ObservedTrack> observed =

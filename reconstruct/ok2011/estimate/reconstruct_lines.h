@@ -23,8 +23,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// Whether a line is aligned with the epipolar lines of all pairs of its views. This is a property of the track, the
-/// same for all methods.
+/// Whether a line is aligned with the epipolar lines of all pairs of its views. This is a property
+/// of the track, the same for all methods.
 enum class LineClass : std::uint8_t { kNotAligned, kAligned };
 const char* name(LineClass line_class);  ///< "not_aligned" | "aligned"
 
@@ -68,8 +68,8 @@ struct SeenSegment {
 struct ReconstructedLine {
   /// The sightings in the order of the track. An intersection of surfaces has segment -1.
   std::vector<SeenSegment> seen;
-  /// Number of the part, counted from the start of the base segment, if the track was cut into several lines
-  /// (agree_on_depth()); 0 for a whole track.
+  /// Number of the part, counted from the start of the base segment, if the track was cut into
+  /// several lines (agree_on_depth()); 0 for a whole track.
   int part = 0;
   int n_meetings = 0;  ///< number of other lines that it meets, accepted by `network`
   LineClass line_class = LineClass::kNotAligned;
@@ -82,12 +82,12 @@ struct ReconstructedLine {
   std::optional<Segment3> segment_in_local;
   std::optional<Matrix6d> covariance_m2;             ///< of (start, end), world axes
   std::optional<Segment3> partner_segment_in_local;  ///< the same line between the partner's ends
-  /// The larger height sigma of the two endpoints by `direct`, whatever the method. It tells weak lines apart
-  /// by precision, as the class does by angle. Empty without an intersection.
+  /// The larger height sigma of the two endpoints by `direct`, whatever the method. It tells weak
+  /// lines apart by precision, as the class does by angle. Empty without an intersection.
   std::optional<double> direct_sigma_z_m;
   std::vector<UsedPoint> points;
-  /// Sum of squared normalised misclosures of the adjustment; 0 for `direct`. For `network` only the
-  /// conditions of the line's own images count.
+  /// Sum of squared normalised misclosures of the adjustment; 0 for `direct`. For `network` only
+  /// the conditions of the line's own images count.
   double omega = 0.0;
 };
 
@@ -103,34 +103,39 @@ using SupportOfTrack = std::function<std::vector<LineSupport>(const ObservedTrac
 
 /// The places where extensions beyond the paper enter the estimation. Each may be empty.
 struct EstimateExtensions {
-  /// A not_aligned line whose end is less certain than this (height) is given between the ends of the right segment.
+  /// A not_aligned line whose end is less certain than this (height) is given between the ends of
+  /// the right segment.
   double max_end_sigma_m = std::numeric_limits<double>::infinity();
-  /// Gives the support of aligned lines in place of published_support(), from all lines and the lines by
-  /// `direct`.
+  /// Gives the support of aligned lines in place of published_support(), from all lines and the
+  /// lines by `direct`.
   std::function<SupportOfTrack(const TrackedLines& lines,
                                std::span<const ReconstructedLine> direct)>
       support;
-  /// For Method::kNetwork: adjusts the lines of `joint`, by track, together. `lines` have covariances of the
-  /// centroid form.
+  /// For Method::kNetwork: adjusts the lines of `joint`, by track, together. `lines` have
+  /// covariances of the centroid form.
   std::function<void(const TrackedLines& lines,
                      std::span<const PairConnection> connections,
                      std::vector<std::vector<JointLine>>& by_track)>
       network;
 };
 
-/// The 3D lines of tracks of image segments (Ok et al. 2011, section 3), in the order of the tracks. A
-/// not_aligned line is the intersection of the projection planes, or adjusted to those of three sightings and more. With Method::kJoint, an aligned
-/// line is adjusted to these planes and to the best artificial points made with the lines that it has a pair
-/// connection with. With Method::kNetwork, all these lines are then adjusted together (adjust_network()). If
-/// a base segment belongs to several tracks, each line gets the part that its partner shows. There is one line per
-/// track, or several for an aligned track that shows several lines by agree_on_depth().
+/// The 3D lines of tracks of image segments (Ok et al. 2011, section 3), in the order of the
+/// tracks. A not_aligned line is the intersection of the projection planes, or adjusted to those of
+/// three sightings and more. With Method::kJoint, an aligned line is adjusted to these planes and
+/// to the best artificial points made with the lines that it has a pair connection with. With
+/// Method::kNetwork, all these lines are then adjusted together (adjust_network()). If a base
+/// segment belongs to several tracks, each line gets the part that its partner shows. There is one
+/// line per track, or several for an aligned track that shows several lines by agree_on_depth().
 ///
-/// @param tracked  its cameras count as free of error. Its registrations correct the places of the segments
-///                 (compare_profiles()); the points of other lines are made with the segments as they are.
+/// @param tracked  its cameras count as free of error. Its registrations correct the places of the
+/// segments
+///                 (compare_profiles()); the points of other lines are made with the segments as
+///                 they are.
 /// Results do not depend on the number of threads or the order of the connections.
-/// Throws std::invalid_argument for fewer than two images, options out of range, an index out of range, a track that
-/// does not begin with two views, a connection of a track with itself, a segment without length or precision,
-/// registrations that are not finite or not as many as the sightings, and Method::kNetwork without its extension.
+/// Throws std::invalid_argument for fewer than two images, options out of range, an index out of
+/// range, a track that does not begin with two views, a connection of a track with itself, a
+/// segment without length or precision, registrations that are not finite or not as many as the
+/// sightings, and Method::kNetwork without its extension.
 std::vector<ReconstructedLine> reconstruct_lines(const TrackedSegments& tracked,
                                                  const ReconstructOptions& options = {},
                                                  const EstimateExtensions& beyond = {});

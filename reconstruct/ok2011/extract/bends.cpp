@@ -23,8 +23,8 @@ std::vector<Eigen::Vector2d> along_and_across(std::span<const Eigen::Vector2d> p
 /// The cut at which two lines fit best, if they fit enough better than one line.
 std::optional<std::size_t> best_cut(std::span<const Eigen::Vector2d> points,
                                     const ExtractOptions& options) {
-  // The gain, in variances of the residuals, that is significant. It allows for the three parameters that the
-  // second line and its place add, and for the correlation of edge pixels.
+  // The gain, in variances of the residuals, that is significant. It allows for the three
+  // parameters that the second line and its place add, and for the correlation of edge pixels.
   constexpr double kSignificant = 60.0;
   const std::vector<Eigen::Vector2d> x = along_and_across(points);
   LineSums all;

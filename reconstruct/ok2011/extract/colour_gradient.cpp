@@ -33,8 +33,8 @@ Kernels kernels(double sigma_px) {
   return k;
 }
 
-/// A row of structure tensors, [xx xy; xy yy] and the gradient (x, y) of the sum of the bands. They are
-/// stored by component, which lets the compiler work on several pixels at a time.
+/// A row of structure tensors, [xx xy; xy yy] and the gradient (x, y) of the sum of the bands. They
+/// are stored by component, which lets the compiler work on several pixels at a time.
 struct TensorRow {
   explicit TensorRow(int n) : xx(n), xy(n), yy(n), x(n), y(n) {}
   std::vector<float> xx, xy, yy, x, y;

@@ -13,8 +13,8 @@ int gradient_reach_px(double sigma_px);
 /// G = sum over bands of grad f grad f^T, of length sqrt(lambda_1), in 1/px. The tensor is not
 /// smoothed, which would move edges at corners and towards close neighbours. The derivatives are
 /// those of a Gaussian of `sigma_px`, exact on a linear ramp; the border is replicated.
-/// The sense is the one in which the mean of the bands grows; it is arbitrary where the mean does not change.
-/// `image`: CV_32FC(n), n = 1..4. Returns CV_32FC2 (x, y).
+/// The sense is the one in which the mean of the bands grows; it is arbitrary where the mean does
+/// not change. `image`: CV_32FC(n), n = 1..4. Returns CV_32FC2 (x, y).
 cv::Mat colour_gradient(const cv::Mat& image, double sigma_px);
 
 }  // namespace ridgeline::reconstruct

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kTile_px = 256;
 
-/// Least noise: about an eighth of a step of 8 bit grey values per pixel. Parts that saturate or are drawn by
-/// a computer have almost no gradient.
+/// Least noise: about an eighth of a step of 8 bit grey values per pixel. Parts that saturate or
+/// are drawn by a computer have almost no gradient.
 constexpr float kMinNoise = 0.0005F;
 
 std::vector<cv::Rect> tiles(const cv::Size& size_px) {

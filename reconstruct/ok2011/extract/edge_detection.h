@@ -15,10 +15,10 @@ struct GradientImage {
 };
 GradientImage gradient_image(const ImagePart& part, const ExtractOptions& options);
 
-/// Edge pixels of the image after diffusion that are stronger than the low threshold; the border of one pixel
-/// has none. The exact place of an edge must be measured in the gradient of the image itself, because
-/// diffusion, like all sharpening, draws edges to the middles of pixels. The function works on square tiles
-/// in parallel. The pixels are ordered by tile, then by row.
+/// Edge pixels of the image after diffusion that are stronger than the low threshold; the border of
+/// one pixel has none. The exact place of an edge must be measured in the gradient of the image
+/// itself, because diffusion, like all sharpening, draws edges to the middles of pixels. The
+/// function works on square tiles in parallel. The pixels are ordered by tile, then by row.
 std::vector<EdgePixel> detected_edge_pixels(const cv::Mat& image,
                                             const NoiseGrid& noise,
                                             const ExtractOptions& options);

@@ -15,9 +15,9 @@ struct EdgePixel {
   Eigen::Vector2f gradient;     ///< gradient at (x, y), 1/px
 };
 
-/// Distance in pixels, in [-0.5, 0.5], from the middle one of three equally spaced strengths to the maximum
-/// of a parabola through their logarithms. It is exact for the profile of a blurred step, a Gaussian, at any
-/// position between the pixels and along either axis.
+/// Distance in pixels, in [-0.5, 0.5], from the middle one of three equally spaced strengths to the
+/// maximum of a parabola through their logarithms. It is exact for the profile of a blurred step, a
+/// Gaussian, at any position between the pixels and along either axis.
 float peak_offset_px(float before, float middle, float after);
 
 /// The edge through a pixel if the gradient has a maximum there along the axis (x or y) that is

@@ -61,8 +61,8 @@ double significance(const EdgeTrace& trace, const NoiseGrid& noise) {
   return sum / std::sqrt(static_cast<double>(trace.size()));
 }
 
-/// The parts of a trace that are straight to a fraction of a pixel. Parts of fewer than three samples are
-/// left out, because two samples always fit a line.
+/// The parts of a trace that are straight to a fraction of a pixel. Parts of fewer than three
+/// samples are left out, because two samples always fit a line.
 std::vector<EdgeTrace> straight_parts(const EdgeTrace& trace, const ExtractOptions& options) {
   const Points points = positions(trace);
   const std::vector<std::size_t> borders = bends(points, options);

@@ -20,8 +20,8 @@ std::vector<EdgeTrace> edge_traces(const ImagePart& image,
                                    const ExtractOptions& options,
                                    std::span<const EdgeTrace> known = {});
 
-/// Changes detected edges before segments are made of them. Extensions beyond the paper enter here. The edges
-/// are in the pixels of the image file.
+/// Changes detected edges before segments are made of them. Extensions beyond the paper enter here.
+/// The edges are in the pixels of the image file.
 using EdgeRefinement =
     std::function<std::vector<EdgeTrace>(std::vector<EdgeTrace>, const ImagePart& image)>;
 

@@ -7,7 +7,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// An image, and where it lies in the frame that it is cut from. An image alone is a frame of its own.
+/// An image, and where it lies in the frame that it is cut from. An image alone is a frame of its
+/// own.
 struct ImagePart {
   cv::Mat pixels;         ///< CV_32FC(n) of normalised_image() or stretched_image(), n = 1..4
   cv::Point corner_px{};  ///< the place of its first pixel in the frame

@@ -42,7 +42,8 @@ struct LineTracer::Line {
     slope = along[1 - major] / along[major];
     at_zero = axes.centroid[1 - major] - slope * axes.centroid[major];
   }
-  /// Fits the line to samples. Steps keep their meaning, although the nearer axis may change near 45 degrees.
+  /// Fits the line to samples. Steps keep their meaning, although the nearer axis may change near
+  /// 45 degrees.
   void refit(const EdgeTrace& trace) { *this = Line(principal_axes(positions(trace)), steep); }
 
   [[nodiscard]] double minor_at(int step) const { return at_zero + slope * step; }

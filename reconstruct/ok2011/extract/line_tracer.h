@@ -25,15 +25,16 @@ using EdgeTrace = std::vector<EdgeSample>;
 /// The positions of the samples.
 std::vector<Eigen::Vector2d> positions(const EdgeTrace& trace);
 
-/// Follows straight edges in a gradient image from where they were detected to where they end, over gaps, and
-/// measures where they run. An edge belongs to the first trace that claims it. Longer pieces should therefore
-/// come first; later pieces of the same edge are then not traced again.
+/// Follows straight edges in a gradient image from where they were detected to where they end, over
+/// gaps, and measures where they run. An edge belongs to the first trace that claims it. Longer
+/// pieces should therefore come first; later pieces of the same edge are then not traced again.
 class LineTracer {
  public:
   LineTracer(const GradientImage& image, const ExtractOptions& options);
 
-  /// The edge through points that lie on a straight line in order. Nothing if it is claimed or is not found
-  /// in the gradient image. The edge may bend a little where it continues beyond the points.
+  /// The edge through points that lie on a straight line in order. Nothing if it is claimed or is
+  /// not found in the gradient image. The edge may bend a little where it continues beyond the
+  /// points.
   [[nodiscard]] std::optional<EdgeTrace> trace(std::span<const Eigen::Vector2d> points) const;
 
   void claim(const EdgeTrace& trace);

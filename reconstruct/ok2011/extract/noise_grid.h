@@ -5,17 +5,18 @@
 
 namespace ridgeline::reconstruct {
 
-/// How strong the gradient of an image is where there is no edge. This is noise of the sensor, which is less
-/// in shadows, and texture. It is estimated by the median strength in blocks, scaled to the sigma of one
-/// component and interpolated between the middles of the blocks. Edges disturb the median little, because
-/// they fill less than half of a block.
+/// How strong the gradient of an image is where there is no edge. This is noise of the sensor,
+/// which is less in shadows, and texture. It is estimated by the median strength in blocks, scaled
+/// to the sigma of one component and interpolated between the middles of the blocks. Edges disturb
+/// the median little, because they fill less than half of a block.
 class NoiseGrid {
  public:
   static constexpr int kBlock_px = 64;
 
   /// `gradient`: CV_32FC2. No value is less than `lowest`, which stands for the steps of the grey
-  /// values in flat parts. `corner_px`: the place of the first pixel in the frame that the image is cut from; blocks begin
-  /// at the corner of the frame, so that two windows of one frame have the same blocks.
+  /// values in flat parts. `corner_px`: the place of the first pixel in the frame that the image is
+  /// cut from; blocks begin at the corner of the frame, so that two windows of one frame have the
+  /// same blocks.
   NoiseGrid(const cv::Mat& gradient, float lowest, const cv::Point& corner_px = {});
 
   /// The strength at a pixel of the image; it is constant beyond the middles of the outer blocks.

@@ -88,11 +88,13 @@ namespace {
 constexpr std::size_t kMinForStatistics = 30;
 constexpr int kMaxLag = 4;
 constexpr double kShrinkage = 10.0;
-/// Least noise of a point. Edges of a drawing may fit their lines exactly; no line is known exactly.
+/// Least noise of a point. Edges of a drawing may fit their lines exactly; no line is known
+/// exactly.
 constexpr double kExact_px = 1e-3;
 constexpr double kSigmaAlong_px = 1.0;
 
-/// The two parameters of the line take two independent points, each of which is `correlation` points.
+/// The two parameters of the line take two independent points, each of which is `correlation`
+/// points.
 double degrees_of_freedom(const RegressionLine& line, double correlation) {
   return std::max(1.0, line.sum_weights - 2.0 * correlation);
 }
@@ -117,8 +119,8 @@ struct Autocorrelation {
     ++n_lines;
   }
 
-  /// The factor f = 1 + 2 sum rho_k. Residuals of a line of n points with two parameters have correlations
-  /// r_k = (rho_k - 2 f / n) / (1 - 2 f / n) on average, which is solved for f.
+  /// The factor f = 1 + 2 sum rho_k. Residuals of a line of n points with two parameters have
+  /// correlations r_k = (rho_k - 2 f / n) / (1 - 2 f / n) on average, which is solved for f.
   [[nodiscard]] double inflation() const {
     if (!(products[0] > 0.0)) return 1.0;  // all lines fit exactly
     double sum = 0.0;

@@ -23,13 +23,14 @@ struct RegressionLine {
   double first = 0.0, last = 0.0;  ///< t of the first and the last point
 };
 
-/// Orthogonal regression with the weights of Huber (1.345 sigma, sigma from the median of the residuals). The
-/// outermost points on each side have no weight if there are enough others, because an edge bends towards the
-/// inside next to a corner. It needs three points that are not all the same.
+/// Orthogonal regression with the weights of Huber (1.345 sigma, sigma from the median of the
+/// residuals). The outermost points on each side have no weight if there are enough others, because
+/// an edge bends towards the inside next to a corner. It needs three points that are not all the
+/// same.
 RegressionLine regression_line(std::span<const Eigen::Vector2d> points);
 
-/// Variance of a point across the line from the residuals. n points count as n / correlation independent
-/// ones.
+/// Variance of a point across the line from the residuals. n points count as n / correlation
+/// independent ones.
 double variance_px2(const RegressionLine& line, double correlation);
 
 /// What the residuals of the segments of one image have in common.
@@ -38,7 +39,8 @@ struct EdgeNoise {
   double correlation = 2.8;    ///< n points weigh as n / correlation independent ones
 };
 
-/// The noise by the lines of at least 30 points. Without such lines, it is typical of aerial images.
+/// The noise by the lines of at least 30 points. Without such lines, it is typical of aerial
+/// images.
 EdgeNoise edge_noise(std::span<const RegressionLine> lines);
 
 /// The errors that all lines of an image have in common and that residuals do not show.
@@ -47,8 +49,9 @@ struct SystematicError {
   double ends_px = 0.0;    ///< sigma of an end across the line, against the centroid
 };
 
-/// The segment between the outermost points with its uncertainty. The variance of a point is that of the
-/// line's own residuals, drawn to the typical one as if that came from ten more independent points.
+/// The segment between the outermost points with its uncertainty. The variance of a point is that
+/// of the line's own residuals, drawn to the typical one as if that came from ten more independent
+/// points.
 UncertainSegment2 uncertain_segment(const RegressionLine& line,
                                     const EdgeNoise& noise,
                                     const SystematicError& systematic);

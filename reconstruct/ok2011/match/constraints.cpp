@@ -8,8 +8,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-// Spreads of the geometric constraints between correct pairs, for surfaces inclined by up to 45 degrees and a
-// base to height ratio of 0.26 (O). The argument `spread` multiplies them.
+// Spreads of the geometric constraints between correct pairs, for surfaces inclined by up to 45
+// degrees and a base to height ratio of 0.26 (O). The argument `spread` multiplies them.
 constexpr double kAngleSigma_rad = 5.0 * M_PI / 180.0;
 constexpr double kDirectionSigma_rad = 8.0 * M_PI / 180.0;
 constexpr double kExtentLogSigma = 0.15;

@@ -16,18 +16,18 @@ namespace ridgeline::reconstruct {
 // of segments of the left image agrees with a pair of the right one. Each is in [0, 1], 1 for
 // perfect agreement, and absent where it is not defined.
 
-/// A pair of segments in one image, in ideal pixels. In the right image the segments run the way of their
-/// left mates.
+/// A pair of segments in one image, in ideal pixels. In the right image the segments run the way of
+/// their left mates.
 struct PairShape {
   Segment2 first, second;  ///< each clipped to its epipolar overlap with its mate
   Eigen::Vector2d intersection;
   bool clipped = true;  ///< false if a member is near-aligned, so that its ends do not correspond
 };
 
-/// Constraint 1: the intersection points lie on each other's epipolar lines. exp(-d^2 / (2 sigma^2)) for
-/// their mean distance d. sigma comes from the precision of the segments (intersection_sigma_px) and from
-/// kMeetSigma_px, because edges of a building rarely meet in one point: they pass each other at gutters and
-/// overhangs.
+/// Constraint 1: the intersection points lie on each other's epipolar lines. exp(-d^2 / (2
+/// sigma^2)) for their mean distance d. sigma comes from the precision of the segments
+/// (intersection_sigma_px) and from kMeetSigma_px, because edges of a building rarely meet in one
+/// point: they pass each other at gutters and overhangs.
 std::optional<double> epipolar_similarity(double distance_px, double sigma_px);
 inline constexpr double kMeetSigma_px = 1.0;
 
@@ -38,20 +38,21 @@ double intersection_sigma_px(const UncertainSegment2& a,
                              const Eigen::Vector2d& intersection,
                              const Eigen::Vector2d& direction);
 
-/// Constraint 2: the oriented angle from the first to the second segment. It is always defined for a pair. In
-/// the constraints 2 to 4, `spread` multiplies the differences that are expected between correct pairs.
+/// Constraint 2: the oriented angle from the first to the second segment. It is always defined for
+/// a pair. In the constraints 2 to 4, `spread` multiplies the differences that are expected between
+/// correct pairs.
 std::optional<double> angle_similarity(const PairShape& left,
                                        const PairShape& right,
                                        double spread = 1.0);
 
-/// Constraint 3: the direction from midpoint to midpoint, measured from the first segment. Absent if a member
-/// is near-aligned or the midpoints coincide.
+/// Constraint 3: the direction from midpoint to midpoint, measured from the first segment. Absent
+/// if a member is near-aligned or the midpoints coincide.
 std::optional<double> direction_similarity(const PairShape& left,
                                            const PairShape& right,
                                            double spread = 1.0);
 
-/// Constraint 4: the sum of the lengths over the mean distance of the end points of one segment from those of
-/// the other. Absent if a member is near-aligned.
+/// Constraint 4: the sum of the lengths over the mean distance of the end points of one segment
+/// from those of the other. Absent if a member is near-aligned.
 std::optional<double> extent_similarity(const PairShape& left,
                                         const PairShape& right,
                                         double spread = 1.0);
@@ -59,8 +60,8 @@ std::optional<double> extent_similarity(const PairShape& left,
 /// Constraints 5 and 6 are those of one line: colour_similarity() and contrast_similarity() of
 /// views/line_similarity.h.
 
-/// The image content spanned by a pair on the grid of the pair's own affine frame. The origin is the
-/// intersection point, the axes run along the segments.
+/// The image content spanned by a pair on the grid of the pair's own affine frame. The origin is
+/// the intersection point, the axes run along the segments.
 struct PairPatch {
   static constexpr int kSize = 12;
   static constexpr int kNumSamples = kSize * kSize;
@@ -76,12 +77,13 @@ struct PairFrame {
 /// Samples the parallelogram of the frame; nothing if a part of it lies outside of the image.
 std::optional<PairPatch> pair_patch(const ImageSampler& image, const PairFrame& frame);
 
-/// Constraint 7: normalised cross correlation over all bands, negative values as 0. Absent without texture.
+/// Constraint 7: normalised cross correlation over all bands, negative values as 0. Absent without
+/// texture.
 std::optional<double> correlation(const PairPatch& left, const PairPatch& right);
 
-/// Constraint 8: similarity of the spatiograms, which are histograms of 8 bins with the places of their
-/// pixels (O Conaire et al. 2007), mean over the bands. It is exactly 1 for equal patches and the same for
-/// any affine change of the pair.
+/// Constraint 8: similarity of the spatiograms, which are histograms of 8 bins with the places of
+/// their pixels (O Conaire et al. 2007), mean over the bands. It is exactly 1 for equal patches and
+/// the same for any affine change of the pair.
 std::optional<double> spatiogram_similarity(const PairPatch& left, const PairPatch& right);
 
 }  // namespace ridgeline::reconstruct

@@ -31,8 +31,8 @@ std::size_t best_of(const std::vector<Support>& supports) {
   return static_cast<std::size_t>(best - supports.begin());
 }
 
-/// Ratio of the probabilities of the next and the best mate. Fragments of the best mate's edge do not count
-/// as the next.
+/// Ratio of the probabilities of the next and the best mate. Fragments of the best mate's edge do
+/// not count as the next.
 double distance_ratio(const MatchChoices& choices, std::size_t i, const Supports& of_all) {
   const std::vector<Candidate>& candidates = choices.candidates[i];
   const std::vector<Support>& supports = of_all[i];
@@ -46,9 +46,9 @@ double distance_ratio(const MatchChoices& choices, std::size_t i, const Supports
   return next / std::max(supports[best].probability, 1e-12);
 }
 
-/// The smallest probability at which a candidate is taken. The shortest segments find something similar by
-/// chance, above all in textures. If one segment is much shorter than the other, their ends do not tell that
-/// both show one edge.
+/// The smallest probability at which a candidate is taken. The shortest segments find something
+/// similar by chance, above all in textures. If one segment is much shorter than the other, their
+/// ends do not tell that both show one edge.
 double least_probability(const Segment2& left, const Segment2& right, const MatchOptions& options) {
   constexpr double kShort_px = 12.0;
   constexpr double kOfShort = 0.9;
@@ -61,7 +61,8 @@ double least_probability(const Segment2& left, const Segment2& right, const Matc
   return least;
 }
 
-/// For each left segment, how many of its partners have a mate that can be trusted, so that they could vote.
+/// For each left segment, how many of its partners have a mate that can be trusted, so that they
+/// could vote.
 std::vector<int> voters(const MatchChoices& choices,
                         std::span<const BasePair> pairs,
                         const Supports& supports,
@@ -81,8 +82,8 @@ std::vector<int> voters(const MatchChoices& choices,
   return count;
 }
 
-/// Whether a line's pairs give too few votes to its candidate. An isolated line is taken by its look if that
-/// leaves no doubt.
+/// Whether a line's pairs give too few votes to its candidate. An isolated line is taken by its
+/// look if that leaves no doubt.
 bool lacks_votes(const Support& support, int n_voters, const MatchOptions& options) {
   constexpr int kIsolated = 1;
   if (support.votes >= options.min_votes) return false;
@@ -163,7 +164,8 @@ MatchResult final_choice(const MatchChoices& choices,
                          const Supports& supports,
                          std::span<const BasePair> pairs,
                          const MatchOptions& options) {
-  // A fragment has no rivals among the other fragments, which makes it look more certain than it is.
+  // A fragment has no rivals among the other fragments, which makes it look more certain than it
+  // is.
   constexpr double kFurtherMate = 0.7;
   const std::vector<int> n_voters = voters(choices, pairs, supports, options);
   MatchResult result;

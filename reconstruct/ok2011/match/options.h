@@ -7,23 +7,23 @@
 
 namespace ridgeline::reconstruct {
 
-/// The options of pair-wise matching. Ok et al. 2011 name the steps but publish no numbers, so the defaults
-/// are ours.
+/// The options of pair-wise matching. Ok et al. 2011 name the steps but publish no numbers, so the
+/// defaults are ours.
 struct MatchOptions {
   double first_pair_radius_px = 30.0;  ///< the radius grows until a segment has min_partners
   double max_pair_radius_px = 150.0;
   int min_partners = 3;
   int max_partners = 15;
   double min_pair_angle_deg = 10.0;  ///< smallest enclosed angle, as in the t-term of Eq. 6
-  /// Largest difference of a pair's enclosed angle between the images, up to a base to height ratio of 0.26.
-  /// Beyond that ratio it grows in proportion.
+  /// Largest difference of a pair's enclosed angle between the images, up to a base to height ratio
+  /// of 0.26. Beyond that ratio it grows in proportion.
   double max_pair_turn_deg = 15.0;
   double max_pair_epipolar_px = 5.0;
 
   /// Largest ratio of the probabilities of the next and the best mate.
   double max_distance_ratio = 0.8;
-  /// Least probability of a match against its rivals. It is 0.9 if a segment is shorter than 12 px, and 0.6
-  /// if one segment is shorter than three quarters of the other.
+  /// Least probability of a match against its rivals. It is 0.9 if a segment is shorter than 12 px,
+  /// and 0.6 if one segment is shorter than three quarters of the other.
   double min_probability = 0.4;
   /// Least votes from the pairs of a match whose partners are matched.
   double min_votes = 0.3;

@@ -11,7 +11,8 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr std::size_t kMaxMatchesPerPair = 5;
-/// Longest side of the patch that a pair spans, because the surface is a plane only near the corner.
+/// Longest side of the patch that a pair spans, because the surface is a plane only near the
+/// corner.
 constexpr double kMaxPatchSide_px = 32.0;
 
 Segment2 clipped(const Segment2& s, const std::array<double, 2>& range) {

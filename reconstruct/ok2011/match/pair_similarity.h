@@ -41,13 +41,14 @@ struct PairScene {
   double spread = 1.0;
 };
 
-/// How much more the shape of a pair changes between the images than at a base to height ratio of 0.26, for
-/// which the geometric constraints are calibrated. It is never less than 1, as noise remains.
+/// How much more the shape of a pair changes between the images than at a base to height ratio of
+/// 0.26, for which the geometric constraints are calibrated. It is never less than 1, as noise
+/// remains.
 double relief_spread(const LocalTransfer& transfer);
 
-/// The candidate pairs of a base pair, best first, at most five. They are two different right segments that
-/// form a pair in the right image and pass the gates on the enclosed angle and the epipolar distance of the
-/// intersection points.
+/// The candidate pairs of a base pair, best first, at most five. They are two different right
+/// segments that form a pair in the right image and pass the gates on the enclosed angle and the
+/// epipolar distance of the intersection points.
 std::vector<PairMatch> pair_matches(const PairScene& scene, const BasePair& pair);
 
 }  // namespace ridgeline::reconstruct

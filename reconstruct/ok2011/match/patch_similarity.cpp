@@ -48,7 +48,8 @@ Spatiogram spatiogram(const PairPatch& patch, int band, float low, float high) {
   return bins;
 }
 
-/// Similarity of two bins, sqrt(n n') 8 pi |S S'|^(1/4) N(mu; mu', 2 (S + S')), O Conaire et al. 2007, Eq. 9.
+/// Similarity of two bins, sqrt(n n') 8 pi |S S'|^(1/4) N(mu; mu', 2 (S + S')), O Conaire et al.
+/// 2007, Eq. 9.
 double bin_similarity(const Bin& a, const Bin& b) {
   if (!(a.share > 0.0 && b.share > 0.0)) return 0.0;
   const Eigen::Matrix2d sum = 2.0 * (a.cov + b.cov);

@@ -36,7 +36,8 @@ std::string steps_program() {
   return (fs::read_symlink("/proc/self/exe").parent_path() / "lines_block_steps").string();
 }
 
-/// A simulated town: its cloud in tiles, its true lines, those of a tool, and odd ones. The program makes it once.
+/// A simulated town: its cloud in tiles, its true lines, those of a tool, and odd ones. The program
+/// makes it once.
 class Town {
  public:
   Town() {

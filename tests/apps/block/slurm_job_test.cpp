@@ -21,7 +21,8 @@ using testing::Ge;
 using testing::HasSubstr;
 using testing::Lt;
 
-/// A folder that words of a shell must be quoted for, with a program that writes down how it was called.
+/// A folder that words of a shell must be quoted for, with a program that writes down how it was
+/// called.
 class SlurmJobTest : public testing::Test {
  protected:
   SlurmJobTest() {
@@ -73,7 +74,8 @@ std::size_t number_after(const std::string& text, const std::string& key) {
   return std::regex_search(text, match, std::regex(key + "([0-9]+)")) ? std::stoul(match[1]) : 0;
 }
 
-/// How often each task was done, in the order of the tasks, by calls that end in `--task FIRST-LAST`.
+/// How often each task was done, in the order of the tasks, by calls that end in `--task
+/// FIRST-LAST`.
 std::vector<int> times_done(const std::vector<std::string>& calls, std::size_t n_tasks) {
   std::vector<int> times(n_tasks + 1, 0);
   for (const std::string& call : calls) {

@@ -23,7 +23,8 @@ TEST(HeightLimits, AreTheLowestAndTheHighestWithoutFewHeightsFarFromAllOthers) {
   EXPECT_EQ(height_limits_m(std::vector{7.0}), (std::array{7.0, 7.0}));
 }
 
-/// A patch of 100 m x 100 m whose LIDAR has a point each metre at the height 50 m + x / 10, and 900 m beside it.
+/// A patch of 100 m x 100 m whose LIDAR has a point each metre at the height 50 m + x / 10, and 900
+/// m beside it.
 io::PatchFile patch_on_slope(const io::TempFolder& folder) {
   std::string points;
   for (int x = 0; x < 100; ++x)

@@ -28,7 +28,8 @@ io::PatchFile patch_of_area() {
   return patch;
 }
 
-/// Whether the window holds what the image shows of the area, with 32 px around it or the border of the frame.
+/// Whether the window holds what the image shows of the area, with 32 px around it or the border of
+/// the frame.
 void expect_holds_area(const io::Window& window,
                        const io::PatchFile& patch,
                        const io::PatchImage& image) {

@@ -16,7 +16,8 @@ int count_of(const cv::Mat& page, const cv::Scalar& colour) {
   return cv::countNonZero(mask);
 }
 
-/// Columns of the row that is darkest below the picture, from its first to its last dark pixel: the scale bar.
+/// Columns of the row that is darkest below the picture, from its first to its last dark pixel: the
+/// scale bar.
 int bar_length_px(const cv::Mat& page, int first_row) {
   int longest = 0;
   for (int r = first_row; r < page.rows; ++r) {

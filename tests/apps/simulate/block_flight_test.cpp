@@ -138,7 +138,8 @@ TEST(CheckShownTwice, NamesAPlaceThatOneFrameShows) {
   const FlightOptions flight = exact_flight();
   const Scene scene = bare_plan(0.0);
   const std::vector<AerialView> views = aerial_views(scene, flight, block_views({}, flight, scene));
-  // the middle of the block is that of the plan, at (50, 40) m; 160 x 204 m are shown twice, to half a pixel
+  // the middle of the block is that of the plan, at (50, 40) m; 160 x 204 m are shown twice, to
+  // half a pixel
   EXPECT_NO_THROW(check_shown_twice(scene, views, plan_area_m(-29.9, -61.9, 129.9, 141.9)));
   for (const Eigen::AlignedBox2d& area :
        {plan_area_m(-31.0, 0.0, 50.0, 40.0), plan_area_m(0.0, 0.0, 131.0, 40.0),

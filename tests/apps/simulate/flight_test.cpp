@@ -165,7 +165,8 @@ TEST(AerialViews, FramesAreOfOneCameraWithThePrincipalPointInTheMiddle) {
     EXPECT_EQ(view.interior.principal_point_px, Eigen::Vector2d(3839.5, 6911.5));
     EXPECT_EQ(view.interior.focal_length_px, Eigen::Vector2d(10000.0, 10000.0));
   }
-  // the base of 208 m lies between the two nadirs: the village is 1300 px right and left of the middle
+  // the base of 208 m lies between the two nadirs: the village is 1300 px right and left of the
+  // middle
   EXPECT_NEAR(views[0].village_px.center().x() - views[1].village_px.center().x(), 2600.0, 300.0);
 }
 

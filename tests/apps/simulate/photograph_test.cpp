@@ -13,7 +13,8 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// A frame of more than twice the rows that come at once, at 0.2 m a pixel. The house and its ground are a third as wide.
+/// A frame of more than twice the rows that come at once, at 0.2 m a pixel. The house and its
+/// ground are a third as wide.
 FlightOptions small_frame() {
   FlightOptions flight;
   flight.focal_length_px = 4000.0;

@@ -358,8 +358,8 @@ TEST(EdgeHeights, AreThoseOfThePlanesWhereTheyMeet) {
 }
 
 TEST(EdgeHeights, TakeTheRidgeOfTheScanWhereverItIs) {
-  // slopes of 1 and 1/2 that meet in a level ridge at z = 0; the points of the first lie 0.3 m higher: their ridge is at
-  // y = 0.2, z = 0.1
+  // slopes of 1 and 1/2 that meet in a level ridge at z = 0; the points of the first lie 0.3 m
+  // higher: their ridge is at y = 0.2, z = 0.1
   const std::vector<RoofFace> faces{
       evaluate::make_roof_face("0", {{V(9, 0, 0), V(9, 4, -4), V(0, 4, -4), V(0, 0, 0)}}),
       evaluate::make_roof_face("1", {{V(0, 0, 0), V(0, -4, -2), V(9, -4, -2), V(9, 0, 0)}})};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How exact the differences of faces are, by Monte Carlo on gabled houses of random pitch, direction and proportions, at 5
-// points/m2 with 3.4 cm along the normal: the vertical noise of the laser data of Ok et al. (2011).
+// How exact the differences of faces are, by Monte Carlo on gabled houses of random pitch,
+// direction and proportions, at 5 points/m2 with 3.4 cm along the normal: the vertical noise of the
+// laser data of Ok et al. (2011).
 #include "tests/evaluate/faces/judged_building.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is told to be wrong with a face that is wrong in one way, by Monte Carlo on gabled houses with faces of 20 m2 and more.
+// What is told to be wrong with a face that is wrong in one way, by Monte Carlo on gabled houses
+// with faces of 20 m2 and more.
 #include "tests/evaluate/faces/judged_building.h"
 
 #include <gmock/gmock.h>
@@ -14,7 +15,8 @@ using evaluate::RoofFace;
 
 constexpr int kCases = 100;
 
-/// How many of the cases are told so; `change(face, size)` makes the face wrong, with a size from -1 to 1 that is not near 0.
+/// How many of the cases are told so; `change(face, size)` makes the face wrong, with a size from
+/// -1 to 1 that is not near 0.
 template <typename Change>
 int n_told(const std::string& expected, std::uint64_t seed, const Change& change) {
   Random random(seed);

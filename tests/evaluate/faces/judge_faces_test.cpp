@@ -134,7 +134,8 @@ TEST(JudgeFaces, HasItsSignsFromTheModel) {
   EXPECT_NEAR(d.aspect_deg->value, 6.0, 0.5);
   EXPECT_GT(d.height_m.value, d.shift_m.value);
   EXPECT_GT(d.along_deg.value, 3.0);
-  // face 0 falls to the south, now to the south-west: it rises to the north-east, to the right of which the points rise more
+  // face 0 falls to the south, now to the south-west: it rises to the north-east, to the right of
+  // which the points rise more
   EXPECT_GT(building.faces[0].plane.normal().x(), truth.plane.normal().x() - 1.0);
   EXPECT_LT(building.faces[0].plane.normal().x(), 0.0);
 }

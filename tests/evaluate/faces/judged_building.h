@@ -45,8 +45,9 @@ inline evaluate::RoofFace transformed(const evaluate::RoofFace& face,
   return evaluate::make_roof_face(face.id, rings);
 }
 
-/// How a face is made wrong: steeper by `pitch_deg` and clockwise from above by `aspect_deg` about its centroid, then raised by
-/// `shift_m` along the normal that it has now. An edge `edge` of the outer ring is moved outwards within the plane by `outwards_m`.
+/// How a face is made wrong: steeper by `pitch_deg` and clockwise from above by `aspect_deg` about
+/// its centroid, then raised by `shift_m` along the normal that it has now. An edge `edge` of the
+/// outer ring is moved outwards within the plane by `outwards_m`.
 struct Fault {
   double shift_m = 0.0, pitch_deg = 0.0, aspect_deg = 0.0;
   std::size_t edge = 0;
@@ -84,8 +85,8 @@ inline evaluate::RoofFace with_fault(const evaluate::RoofFace& face, const Fault
   return with_edge_moved(wrong, fault.edge, fault.outwards_m);
 }
 
-/// The face over the same outline in plan, raised by `height_m` and steeper by `pitch_deg` about the middle of its first edge: a model
-/// with the right ground plan.
+/// The face over the same outline in plan, raised by `height_m` and steeper by `pitch_deg` about
+/// the middle of its first edge: a model with the right ground plan.
 inline evaluate::RoofFace with_height(const evaluate::RoofFace& face,
                                       double height_m,
                                       double pitch_deg) {

@@ -36,7 +36,8 @@ const PlaneFit kLevel = fit_of(Plane3(V::UnitZ(), 0.0));
 
 constexpr double kPointsPerM2 = 2.0;
 
-/// One point every 5 cm across the edge at x = 10, from y = 2 to 8: on z = 0 up to `border`, below that beyond.
+/// One point every 5 cm across the edge at x = 10, from y = 2 to 8: on z = 0 up to `border`, below
+/// that beyond.
 std::vector<V> points_up_to(double border, double from = 8.0, double to = 12.0) {
   std::vector<V> points;
   for (int i = 0; from + 0.05 * i < to; ++i) {

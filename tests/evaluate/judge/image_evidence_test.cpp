@@ -17,7 +17,8 @@ using test::seen;
 
 constexpr double kLidarSigma_m = 0.034;
 constexpr double kEvidenceDensity_per_m2 = 8.0;
-// a hit lies within the search radius (0.3 m) of the ray, so it is at most this high on a roof of slope 0.5
+// a hit lies within the search radius (0.3 m) of the ray, so it is at most this high on a roof of
+// slope 0.5
 constexpr double kHit_m = 0.2;
 
 class OnRoof : public testing::Test {
@@ -150,8 +151,8 @@ TEST(JudgeBesideACar, AMarkingIsJudgedByTheGround) {
 
 constexpr double kEaves_m = 8.0;
 
-/// A flat roof west of x = 0, whose edge runs across the base. The cloud has no points within half a metre of
-/// the edge, so the rays of the edge end on the ground, a metre east.
+/// A flat roof west of x = 0, whose edge runs across the base. The cloud has no points within half
+/// a metre of the edge, so the rays of the edge end on the ground, a metre east.
 PointGrid roof_with_a_bare_edge() {
   test::Random random(7);
   std::vector<Eigen::Vector3d> points;

@@ -19,8 +19,8 @@ constexpr double kRise_m = 0.19, kRun_m = 0.75;  // rise and run of a step
 constexpr double kRoofLength_m = 10.0, kRoofHalfWidth_m = 4.0;
 constexpr double kWeight = 0.4;  // at 0.1 the 14 degrees of the false slope cost 2.5 cm only
 
-/// Terraces that go up along y. No point is farther than half a rise from a slope through all of them, so by
-/// distances alone this slope beats every terrace.
+/// Terraces that go up along y. No point is farther than half a rise from a slope through all of
+/// them, so by distances alone this slope beats every terrace.
 double terrace_m(double y) { return kRise_m * std::floor(y / kRun_m + 0.5); }
 
 template <typename PointT>

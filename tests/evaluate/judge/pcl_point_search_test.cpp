@@ -21,8 +21,8 @@ namespace {
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Search = pcl::search::Search<pcl::PointXYZ>;
 
-/// A cloud as far from the origin as local coordinates may be. It is steep, so that balls are stacked, and every tenth
-/// point is not finite.
+/// A cloud as far from the origin as local coordinates may be. It is steep, so that balls are
+/// stacked, and every tenth point is not finite.
 Cloud::Ptr cloud_on_a_hillside() {
   test::Random random(4);
   auto cloud = std::make_shared<Cloud>();
@@ -81,8 +81,8 @@ TEST(PclPointSearch, VisitsThePointsThatTheGridVisitsOnce) {
   }
 }
 
-/// A corridor of 8 m in three layers of four balls, and points where four balls touch. The points are as far from the
-/// centres as the balls reach, and floats do not hold the centres exactly.
+/// A corridor of 8 m in three layers of four balls, and points where four balls touch. The points
+/// are as far from the centres as the balls reach, and floats do not hold the centres exactly.
 TEST(PclPointSearch, LosesNoPointToFloats) {
   constexpr double kRadius_m = 4.0;
   test::Random random(9);

@@ -23,7 +23,8 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Evaluation = LineToPlaneEvaluation<pcl::PointXYZ>;
 using Search = pcl::search::Search<pcl::PointXYZ>;
 
-/// The points of a house, doubled where tiles overlap, with some that are not finite and some high above all others.
+/// The points of a house, doubled where tiles overlap, with some that are not finite and some high
+/// above all others.
 Cloud::Ptr cloud_with_faults() {
   auto cloud = std::make_shared<Cloud>();
   for (const Eigen::Vector3d& x : test::SampledRoof().sample(6.0, 0.034, 1)) {

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kSigma_m = 0.034;
 
-/// A level strip of 12 m by 4 m whose points err by `alone_m` each and by `together_m` with all in their square
-/// metre.
+/// A level strip of 12 m by 4 m whose points err by `alone_m` each and by `together_m` with all in
+/// their square metre.
 std::vector<ZonePoint> strip(int n, double alone_m, double together_m, test::Random& random) {
   std::array<std::array<double, 4>, 12> common{};
   for (auto& column : common) {

@@ -109,8 +109,8 @@ TEST(CandidatePlanes, LeavesOutACanopy) {
   }
 }
 
-/// Level ground from `n` points with noise of 3.4 cm, spread evenly over a strip along a line of 10 m that reaches from the line
-/// to 1.5 m on its left.
+/// Level ground from `n` points with noise of 3.4 cm, spread evenly over a strip along a line of 10
+/// m that reaches from the line to 1.5 m on its left.
 CandidatePlane strip_of_ground(int n) {
   constexpr double kLength_m = 10.0, kWidth_m = 1.5;
   CandidatePlane plane;
@@ -129,7 +129,8 @@ TEST(ReasonTooLittleKnown, IsAPlaneKnownLessWellThanThreePointsWouldTell) {
   const auto reason = [&](int n) {
     return reason_too_little_known(std::array{strip_of_ground(n)}, kChosen, along_x(10), {});
   };
-  // at the border of a strip n points tell as much as n / 4 at the place: 1/n + (w/2)^2 / (n w^2/12) = 4/n
+  // at the border of a strip n points tell as much as n / 4 at the place: 1/n + (w/2)^2 / (n
+  // w^2/12) = 4/n
   EXPECT_FALSE(reason(13));
   EXPECT_EQ(reason(11), "its plane is known to 0.0205 m at the line, must be known to 0.0196 m");
 }

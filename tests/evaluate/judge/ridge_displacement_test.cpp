@@ -17,7 +17,8 @@ Plane3 through(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
   return upward(Plane3(normal.normalized(), point));
 }
 
-/// Two roofs that meet in the line from `start` along `direction` and fall to both sides of it with the slopes.
+/// Two roofs that meet in the line from `start` along `direction` and fall to both sides of it with
+/// the slopes.
 std::array<Plane3, 2> roofs(const Eigen::Vector3d& start,
                             const Eigen::Vector3d& direction,
                             double left_slope,

@@ -210,7 +210,8 @@ TEST(DecideSurface, FlagsALineInsideAPlaneAsMerged) {
   EXPECT_EQ(decision.flags, std::vector<std::string>{"merged"});
 }
 
-/// What three images show of a line at a height: two aside of each other, which tell its height, and one along it.
+/// What three images show of a line at a height: two aside of each other, which tell its height,
+/// and one along it.
 ImageEvidence seen_by_three(double z) {
   ImageEvidence images = test::seen({{0, 0, z}, {kSurfaceLength_m, 0, z}});
   ProjectionMatrix aside;

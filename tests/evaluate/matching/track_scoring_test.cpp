@@ -18,8 +18,8 @@ constexpr MatchVerdict kOpen = MatchVerdict::kUnjudged;
 /// A horizontal segment from x = 0 to 100 at y.
 Segment2 at_y(double y) { return {{0.0, y}, {100.0, y}}; }
 
-/// Three views with horizontal segments at y = 0, 50 and 200. Edge 0 lies at y = 0 in all of them, edge 1, aligned, at y = 50
-/// in the first two. Nothing true lies at 200.
+/// Three views with horizontal segments at y = 0, 50 and 200. Edge 0 lies at y = 0 in all of them,
+/// edge 1, aligned, at y = 50 in the first two. Nothing true lies at 200.
 struct TrackScene {
   std::vector<std::vector<Segment2>> segments{3, {at_y(0.5), at_y(50.0), at_y(200.0)}};
   std::vector<TrueEdge> edges{{{{0, at_y(0)}, {1, at_y(0)}, {2, at_y(0)}}, false},

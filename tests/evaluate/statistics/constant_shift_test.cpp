@@ -40,8 +40,8 @@ LineEvaluation line_beside(const Eigen::Vector3d& normal,
   return line;
 }
 
-/// Lines beside gabled houses, whose ridges have these azimuths, and on the ground. The error of a line along the normal is one of its
-/// house and one of its own.
+/// Lines beside gabled houses, whose ridges have these azimuths, and on the ground. The error of a
+/// line along the normal is one of its house and one of its own.
 std::vector<LineEvaluation> houses(const std::vector<double>& azimuths_deg,
                                    const Eigen::Vector3d& shift_m,
                                    double house_sigma_m = 0.0,
@@ -182,8 +182,8 @@ TEST(EstimateShift, StatesItsErrorsWhereLinesOfAHouseErrTogether) {
     const auto unshifted = houses(azimuths_deg, Eigen::Vector3d::Zero(), 0.08, 0.05, run + 1);
     n_alarms += estimate_shift(unshifted, kLidarAccuracy_m).value().is_significant() ? 1 : 0;
   }
-  // The scatter of the mean over 1200 values is 0.04. The covariance is that of a jackknife, which is a little too large, and
-  // is widened for few clusters.
+  // The scatter of the mean over 1200 values is 0.04. The covariance is that of a jackknife, which
+  // is a little too large, and is widened for few clusters.
   EXPECT_GT(nees, 0.65);
   EXPECT_LT(nees, 1.15);
   for (const int held : n_held) EXPECT_GE(held, 372);  // 93 % of 400; 95 % less two standard errors

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines that are moved on purpose: where they end up, what their images show, and which lines are drawn.
+// Lines that are moved on purpose: where they end up, what their images show, and which lines are
+// drawn.
 #include "evaluate/statistics/decoys.h"
 
 #include "reconstruct/geometry/epipolar.h"

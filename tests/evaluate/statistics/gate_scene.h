@@ -12,7 +12,8 @@
 
 namespace ridgeline::evaluate {
 
-/// Results with 30 lines a class: not_aligned lines are 0.1 m off, aligned ones `aligned_m`. 5 more lines are excluded.
+/// Results with 30 lines a class: not_aligned lines are 0.1 m off, aligned ones `aligned_m`. 5 more
+/// lines are excluded.
 inline ResultFolder results_with(double aligned_m, const std::string& method = "joint") {
   Evaluation e;
   e.patch = "1";

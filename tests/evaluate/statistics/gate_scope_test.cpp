@@ -204,7 +204,8 @@ TEST(FiguresOf, ExistForEveryMetricThatIsListed) {
   }
 }
 
-/// Lines of ten buildings: the i-th has two lines, i/10 and i/5 m off. One more line is of none, and one was not judged.
+/// Lines of ten buildings: the i-th has two lines, i/10 and i/5 m off. One more line is of none,
+/// and one was not judged.
 ResultFolder buildings() {
   Evaluation e;
   e.patch = "1";

@@ -111,7 +111,8 @@ TEST(BootstrapRms, CoversTheTruthWhereLinesOfARoofAreDependent) {
       const double rms = std::sqrt(sum_of_squares(roofs.errors) / 160.0);
       if (covers(chi_square_rms_interval(rms, roofs.errors.size()))) ++n_chi_square;
     }
-    // The coverage is known to be slightly short of 95 % for 40 clusters; 3 sigma of 400 trials is 0.04.
+    // The coverage is known to be slightly short of 95 % for 40 clusters; 3 sigma of 400 trials is
+    // 0.04.
     EXPECT_NEAR(n_clustered / double{kTrials}, 0.93, 0.04) << bca;
     EXPECT_LT(n_chi_square, n_clustered) << "independence is the wrong assumption here";
   }

@@ -152,7 +152,8 @@ TEST(CompareWithReferences, LineThatTheImagesShowElsewhereHasNoReference) {
 }
 
 TEST(ReferenceErrors, LinesOfSeveralPairsAreEachComparedInTheirOwnImages) {
-  // each line lies on its reference line in its own images, but elsewhere in those of the other line
+  // each line lies on its reference line in its own images, but elsewhere in those of the other
+  // line
   std::vector<JudgedLine> lines{reconstructed(kRidge, kRidge, "aligned"),
                                 reconstructed(kEave, kEave, "aligned")};
   const std::array<ProjectionMatrix, 2> other{camera_at(40.0), camera_at(250.0)};

@@ -19,7 +19,8 @@ using testing::Not;
 
 constexpr double kStandardExact = 1e-12;
 
-/// Ridges 3 cm off across and -4 cm in height, whose planes are known to 1 cm, half of that by independent errors.
+/// Ridges 3 cm off across and -4 cm in height, whose planes are known to 1 cm, half of that by
+/// independent errors.
 Evaluation ridges(int n) {
   Evaluation e;
   e.patch = "1";

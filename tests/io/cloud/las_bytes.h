@@ -30,7 +30,8 @@ class LasBytes {
     for (std::size_t i = 0; i < transform.size(); ++i) set(131 + 8 * i, transform[i]);
   }
 
-  /// Overwrites header bytes. It must come after the add_*() calls, because these keep the counts up to date.
+  /// Overwrites header bytes. It must come after the add_*() calls, because these keep the counts
+  /// up to date.
   template <typename T>
   LasBytes& set(std::size_t byte, T value) {
     std::memcpy(header_.data() + byte, &value, sizeof(T));
@@ -48,7 +49,8 @@ class LasBytes {
     return set(100, ++n_vlrs_).set(96, point_offset());
   }
 
-  /// Adds a record of zeros except for its raw position, with `fields` written over from byte 12 on.
+  /// Adds a record of zeros except for its raw position, with `fields` written over from byte 12
+  /// on.
   LasBytes& add_point(std::array<std::int32_t, 3> raw, std::string_view fields = {}) {
     std::string record(record_length_, '\0');
     std::memcpy(record.data(), raw.data(), sizeof(raw));

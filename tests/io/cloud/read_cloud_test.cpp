@@ -267,8 +267,8 @@ TEST_F(ReadCloud, WarnsOfWrongHeaderBoundsAndNeverUsesThem) {
                                              HasSubstr("the points span x 1000.07"))));
 }
 
-/// A file of several blocks of points whose header bounds hold all points except a part in the middle: a strip that the
-/// scanner left and came back to.
+/// A file of several blocks of points whose header bounds hold all points except a part in the
+/// middle: a strip that the scanner left and came back to.
 std::string strip_with_narrow_header() {
   constexpr std::int32_t kPoints = 200'000;
   LasBytes las(2, 0);

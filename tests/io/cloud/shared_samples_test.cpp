@@ -67,7 +67,8 @@ TEST_F(SharedSamples, GoodFilesHaveTheirPoints) {
         Case{"loadersgl_pdrf7-v4-1.4.las", 1024}, Case{"pdal_gps-time-nan.las", 1}}) {
     EXPECT_EQ(read(std::string("las_samples/") + name).n_read, n_points) << name;
   }
-  // The coordinates are random bits with a scale of 1. The files are described, though no map has such coordinates.
+  // The coordinates are random bits with a scale of 1. The files are described, though no map has
+  // such coordinates.
   for (const char* const name :
        {"loadersgl_pdrf8-1.4.las", "loadersgl_pdrf9-1.4.las", "loadersgl_pdrf10-1.4.las"}) {
     EXPECT_EQ(cloud_facts(path(std::string("las_samples/") + name)).n_points, 1024U);

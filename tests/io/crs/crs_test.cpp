@@ -21,7 +21,8 @@ const char* const kUtm32Esri =
     R"(PARAMETER["Central_Meridian",9.0],PARAMETER["Scale_Factor",0.9996],)"
     R"(PARAMETER["Latitude_Of_Origin",0.0],UNIT["Meter",1.0]])";
 
-/// The system with ellipsoidal heights, as a compound of WKT1, which PROJ reads as a system with three axes.
+/// The system with ellipsoidal heights, as a compound of WKT1, which PROJ reads as a system with
+/// three axes.
 Crs with_ellipsoidal_heights(const Crs& plan) {
   return {R"-(COMPD_CS["ETRS89 / UTM zone 32N + Ellipsoid (metre)",)-" + to_wkt(plan) +
           R"-(,VERT_CS["Ellipsoid (metre)",VERT_DATUM["Ellipsoid",2002],)-"

@@ -189,7 +189,8 @@ TEST(ReadPicture, TurnedWindowIsThatOfTheTurnedImage) {
     EXPECT_TRUE(same(read_picture(path, {.window = window, .turn = turn}).pixels,
                      whole(cv::Rect(7, 11, 30, 40))));
   }
-  // TIFF 6.0: of value 6 the first row is the right side, so the first stored pixel comes to the top right.
+  // TIFF 6.0: of value 6 the first row is the right side, so the first stored pixel comes to the
+  // top right.
   const cv::Mat clockwise = read_picture(path, {.turn = ImageTurn::kClockwise}).pixels;
   EXPECT_EQ(clockwise.at<cv::Vec3b>(0, 59), stored.at<cv::Vec3b>(0, 0));
   // 8: the first row is the left side, the first column the bottom.

@@ -111,7 +111,8 @@ void add_chunk_boundaries(const FileBytes& file,
   at.insert(load<std::uint64_t>(&file[header.point_offset]) + 8);
 }
 
-/// The ends of fields of the header, records, points, chunks, layers and pages that lie within the file.
+/// The ends of fields of the header, records, points, chunks, layers and pages that lie within the
+/// file.
 std::set<std::size_t> boundaries(const FileBytes& file) {
   const LasHeader header = parse_las_header(file, "sample");
   std::set<std::size_t> at{0,
@@ -158,7 +159,8 @@ std::size_t peak_memory() {
 
 class MutatedCloud : public testing::Test {
  protected:
-  /// Resets the peak of memory, so that it does not count what other tests of the process used before.
+  /// Resets the peak of memory, so that it does not count what other tests of the process used
+  /// before.
   void SetUp() override { std::ofstream("/proc/self/clear_refs") << 5; }
 
   /// The points, or nothing for an error.

@@ -20,7 +20,8 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// A house with a gable roof of 10 m by 8 m, ridge along x at y = 4 and z = 8; two roof faces, four walls, ground.
+/// A house with a gable roof of 10 m by 8 m, ridge along x at y = 4 and z = 8; two roof faces, four
+/// walls, ground.
 json house() {
   return json::parse(R"({
     "type": "CityJSON", "version": "2.0",
@@ -241,7 +242,8 @@ double processor_seconds_of(const Work& work) {
 }
 
 TEST(CityJson, HostileTextsAreRefusedAtOnce) {
-  // Nine million faces would take a thousand times as long as the three thousand of a harmless text.
+  // Nine million faces would take a thousand times as long as the three thousand of a harmless
+  // text.
   constexpr double kMaxTimeRatio = 100.0;
   const double harmless_s = processor_seconds_of([] { read(with_instances(3000, 1)); });
   const std::string deep(1'000'000, '[');

@@ -64,7 +64,8 @@ inline Eigen::Vector2d seen_px(const Orientation& orientation,
                       project(projection_matrix(interior, local), Eigen::Vector3d::Zero()));
 }
 
-/// The largest distance of an observation from where the orientation sees its point. Images are in the order of names().
+/// The largest distance of an observation from where the orientation sees its point. Images are in
+/// the order of names().
 inline double worst_px(const Orientation& orientation,
                        const std::vector<Observation>& observations) {
   double worst = 0.0;

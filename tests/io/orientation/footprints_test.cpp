@@ -16,7 +16,8 @@ using ::testing::HasSubstr;
 
 constexpr double kPlanRounding_m = 1e-9;
 
-/// Two vertical images of 100 m x 80 m from 100 m above ground at 50 m; the second one 50 m farther east.
+/// Two vertical images of 100 m x 80 m from 100 m above ground at 50 m; the second one 50 m farther
+/// east.
 Orientation vertical_pair(double kappa_rad = 0.0) {
   Orientation orientation;
   orientation.cameras.push_back(

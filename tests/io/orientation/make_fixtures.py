@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Writes tests/io/orientation/fixtures: one small block in every format of orientations, and what its cameras see.
+"""Writes tests/io/orientation/fixtures: one small block in every format of orientations, and what
+its cameras see.
 
-It shares nothing with the program: no library, formulas of its own. Angles are large, principal points lie off the middle,
-lenses distort, and names have blanks and umlauts. `observations.csv` has image, X, Y, Z in the block's map and column, row,
-where pixel (0, 0) is the centre of the top-left pixel; `observations_utm.csv` the same in UTM zone 32N with heights above
-the ellipsoid, for the formats with topocentric or geocentric coordinates.
+It shares nothing with the program: no library, formulas of its own. Angles are large, principal
+points lie off the middle, lenses distort, and names have blanks and umlauts. `observations.csv` has
+image, X, Y, Z in the block's map and column, row, where pixel (0, 0) is the centre of the top-left
+pixel; `observations_utm.csv` the same in UTM zone 32N with heights above the ellipsoid, for the
+formats with topocentric or geocentric coordinates.
 
 Usage: make_fixtures.py FOLDER
 """
@@ -76,7 +78,9 @@ def geocentric(point):
 
 
 def utm32(x):
-    """Easting, northing, height above the ellipsoid: latitude by iteration, then Krueger's series to the fourth order."""
+    """Easting, northing, height above the ellipsoid: latitude by iteration, then Krueger's series
+    to the fourth order.
+    """
     e2 = F * (2 - F)
     p = math.hypot(x[0], x[1])
     la = math.atan2(x[2], p * (1 - e2))
@@ -168,7 +172,9 @@ def write_pat_b(out):
 
 
 def write_inpho(out, turned):
-    """`turned`: the camera's axes lie a quarter turn off the image's, as where a camera is built in across."""
+    """`turned`: the camera's axes lie a quarter turn off the image's, as where a camera is built in
+    across.
+    """
     per_mm = 1000 / 6
     quarter = turn("z", 90)  # camera axes in ours: x points up in the image
     matrix = [[0.0, -per_mm], [-per_mm, 0.0]] if turned else [[per_mm, 0.0], [0.0, -per_mm]]

@@ -295,7 +295,8 @@ TEST(ReadOrientation, SaysOfEveryTruncationThatSomethingIsMissing) {
   }
 }
 
-/// Tables, and blocks whose end is that of the file, may be cut between two images; within one it is an error.
+/// Tables, and blocks whose end is that of the file, may be cut between two images; within one it
+/// is an error.
 TEST(ReadOrientation, ReadsNoImageThatIsCutOff) {
   for (const char* file : {"inpho.prj", "block_calibrated_camera_parameters.txt", "opk_deg.csv"}) {
     const std::string whole = text_of_fixture(file);

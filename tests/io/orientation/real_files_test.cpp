@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Orientations as programs wrote them; rays of real tie points and matrices of the same program are the judges.
+// Orientations as programs wrote them; rays of real tie points and matrices of the same program are
+// the judges.
 #include "io/orientation/read_orientation.h"
 #include "tests/support/paths.h"
 #include "tests/support/temp_folder.h"
@@ -33,7 +34,8 @@ std::size_t number_of(const Orientation& orientation, const std::string& name) {
   return static_cast<std::size_t>(image - orientation.images.begin());
 }
 
-/// The camera of Borea (focal length 30975 px, principal point at 13210, 8502 px from the corner) as YAML.
+/// The camera of Borea (focal length 30975 px, principal point at 13210, 8502 px from the corner)
+/// as YAML.
 std::string borea_camera(const TempFolder& folder) {
   return folder.write("camera.yaml",
                       "UCE-M3-f120-s06:\n  type: pinhole\n  im_size: [26460, 17004]\n"
@@ -118,8 +120,8 @@ TEST(RealOpkTable, OfADmcIsTheSameWithAndWithoutNamesOfColumns) {
   EXPECT_EQ(camera.principal_point_px, Eigen::Vector2d(319.5, 575.5));
 }
 
-/// OpenDroneMap made the table by adding the place of the reference to topocentric coordinates. On the map these are turned
-/// by the convergence of meridians (0.856 degrees) and scaled.
+/// OpenDroneMap made the table by adding the place of the reference to topocentric coordinates. On
+/// the map these are turned by the convergence of meridians (0.856 degrees) and scaled.
 TEST(RealOpensfm, IsTheTableOfTheSameProjectTurnedToTheNorthOfTheMap) {
   const std::string folder = shared_folder("drone_odm/");
   SKIP_WITHOUT(folder);
@@ -154,7 +156,8 @@ TEST(RealRollPitchYaw, IsRefusedByItsName) {
   EXPECT_THAT(io_error_of([&] { read_orientation(file); }), HasSubstr("roll, pitch and yaw"));
 }
 
-/// Pix4D writes the matrix of each image without its distortion, for pixels from the corner and without the offset.
+/// Pix4D writes the matrix of each image without its distortion, for pixels from the corner and
+/// without the offset.
 TEST(RealPix4d, ProjectsAsTheMatricesOfTheSameProject) {
   const std::string folder = shared_folder("orientations/pix4d/");
   SKIP_WITHOUT(folder);

@@ -29,7 +29,8 @@ using ::testing::UnorderedElementsAreArray;
 constexpr double kDigitsOfMap_px = 1e-6;
 /// PROJ's derivative, from which the rotation to the map follows, is good to 1e-10.
 constexpr double kGeocentric_px = 1e-5;
-/// As in read_orientation_test.cpp: digits of the fixture, and what a rotation cannot take in of a map.
+/// As in read_orientation_test.cpp: digits of the fixture, and what a rotation cannot take in of a
+/// map.
 constexpr double kFixture_px = 2e-5;
 constexpr double kFixtureOnMap_px = 0.02;
 
@@ -42,8 +43,8 @@ constexpr std::array kFormats{
     FormatCase{"pat_b", false},  FormatCase{"blocks_exchange", false}, FormatCase{"colmap", false},
     FormatCase{"opensfm", true}, FormatCase{"metashape", true}};
 
-/// The block of the fixture without its distortion and with names that all formats take; of geocentric formats on the
-/// map of WGS 84.
+/// The block of the fixture without its distortion and with names that all formats take; of
+/// geocentric formats on the map of WGS 84.
 Orientation block_to_write(bool is_geocentric) {
   OrientationOptions options;
   options.cameras = fixture::path_of("cameras.yaml");
@@ -74,8 +75,8 @@ Orientation written_and_read(const Orientation& block,
   return read_orientation(folder + "/" + files.orientation, options);
 }
 
-/// The largest distance of the pixels at which two orientations see what the corners of the first one's images show 90 m
-/// ahead. Images are told by their names.
+/// The largest distance of the pixels at which two orientations see what the corners of the first
+/// one's images show 90 m ahead. Images are told by their names.
 double largest_distance_px(const Orientation& a, const Orientation& b) {
   double largest = 0.0;
   for (const OrientedImage& image : a.images) {

@@ -60,8 +60,8 @@ TEST(LikelyCause, NamesTheGridThatWouldTell) {
               HasSubstr("no reference system is stated"));
 }
 
-/// Two vertical cameras, whose pixels are `gsd_m` on the ground. Columns run east, rows south; the second camera is
-/// turned by 180 degrees if `turned`.
+/// Two vertical cameras, whose pixels are `gsd_m` on the ground. Columns run east, rows south; the
+/// second camera is turned by 180 degrees if `turned`.
 std::optional<io::PatchFile> vertical_pair(double gsd_m, bool turned) {
   constexpr double kFocalLength_px = 10000.0;
   io::PatchFile patch;

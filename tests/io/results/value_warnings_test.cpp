@@ -19,7 +19,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Seven edges of a house, with every coordinate written in steps of `plan_step_m`, and judged at `distance_m`.
+/// Seven edges of a house, with every coordinate written in steps of `plan_step_m`, and judged at
+/// `distance_m`.
 struct Judged {
   io::LineSet set;
   evaluate::Evaluation evaluation;

@@ -79,7 +79,8 @@ TEST(MergeLines, LineOfFivePatchesIsWholeAndOnce) {
   Noise noise;
   const Eigen::Vector3d start(30, 40, 0), end(470, 62, 4);
   for (std::int64_t k = 0; k < 5; ++k) {
-    // Each patch sees what lies within its square and the overlap; every second one runs the other way.
+    // Each patch sees what lies within its square and the overlap; every second one runs the other
+    // way.
     const auto at = [&](double x) -> Eigen::Vector3d {
       return start + (std::clamp(x, 30.0, 470.0) - 30.0) / 440.0 * (end - start) + noise();
     };
@@ -87,7 +88,8 @@ TEST(MergeLines, LineOfFivePatchesIsWholeAndOnce) {
     const Eigen::Vector3d a = at(from), b = at(from + 100.0 + 2.0 * kOverlap_m);
     lines.push_back(k % 2 == 0 ? found(a, b, k) : found(b, a, k));
   }
-  // A fragment that its own square has beside the line, and that no patch but the fourth shows beside the whole.
+  // A fragment that its own square has beside the line, and that no patch but the fourth shows
+  // beside the whole.
   const double slope = (end.y() - start.y()) / 440.0;
   lines.push_back(found({402, 40 + 372 * slope, 3.38}, {417, 40 + 387 * slope, 3.52}, 4));
   const auto whole = merged(lines);
@@ -111,7 +113,8 @@ TEST(MergeLines, EavesAndGuttersBesideEachOtherStayTwo) {
 }
 
 TEST(MergeLines, LinesThatCrossInTheOverlapStayTwo) {
-  // Within the place that both patches show, x = 80 to 120, the short piece of one lies on the other.
+  // Within the place that both patches show, x = 80 to 120, the short piece of one lies on the
+  // other.
   const auto lines =
       merged({found({40, 50, 0}, {80.5, 50, 0}, 0), found({80, 50, 0}, {130, 75, 0}, 1)});
   EXPECT_EQ(lines.size(), 2U);
@@ -137,7 +140,8 @@ TEST(MergeLines, FragmentsOfOnePatchAreNotMerged) {
 }
 
 TEST(MergeLines, TwinsAreToldByTheirCovariances) {
-  // A line along the base of its images: its height is known to half a metre only. Each patch has the midpoint of its own.
+  // A line along the base of its images: its height is known to half a metre only. Each patch has
+  // the midpoint of its own.
   FoundLine weak = found({88, 50, 0.7}, {108, 50, 0.7}, 0);
   const FoundLine other = found({92, 50, 0.0}, {112, 50, 0.0}, 1);
   EXPECT_EQ(merged({weak, other}).size(), 2U);
@@ -145,8 +149,8 @@ TEST(MergeLines, TwinsAreToldByTheirCovariances) {
   EXPECT_EQ(merged({weak, other}).size(), 1U);
 }
 
-/// Lines at random over some columns and three rows of squares, as all patches find them that have their midpoint, in the order of
-/// the squares.
+/// Lines at random over some columns and three rows of squares, as all patches find them that have
+/// their midpoint, in the order of the squares.
 std::vector<FoundLine> town_of(std::int64_t columns) {
   Noise noise;
   std::mt19937 random(3);

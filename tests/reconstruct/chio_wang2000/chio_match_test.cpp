@@ -15,14 +15,16 @@ namespace {
 
 using test::PaintedPair;
 
-/// A flat roof at 6 m; its east and west eaves run across the epipolar lines, the others along them.
+/// A flat roof at 6 m; its east and west eaves run across the epipolar lines, the others along
+/// them.
 class ChioMatch : public testing::Test {
  protected:
   static constexpr PaintedPair::Roof kRoof{-6.0, -5.0, 6.0, 5.0, 6.0};
 
   ChioMatch() : pair_({kRoof}) { pair_.add_outline(kRoof); }
 
-  /// The eaves along the epipolar lines leave no junction for the first process: one line is inclined.
+  /// The eaves along the epipolar lines leave no junction for the first process: one line is
+  /// inclined.
   void add_inclined_line() { pair_.add_line({{6.0, 5.0, 6.0}, {9.0, 11.0, 6.0}}); }
 
   [[nodiscard]] ChioResult match(const ChioOptions& options = {}) const {

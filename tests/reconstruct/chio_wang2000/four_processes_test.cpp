@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kProcessGsd_m = 0.08;
 
-/// Fig. 3 of the paper: the strong structure A of three lines; B, adjacent to A2, whose junction the
-/// right image does not show; C, in range of A1; D, in range of C alone.
+/// Fig. 3 of the paper: the strong structure A of three lines; B, adjacent to A2, whose junction
+/// the right image does not show; C, in range of A1; D, in range of C alone.
 class FigureThree : public testing::Test {
  protected:
   enum Line { kA1, kA2, kA3, kB, kC, kD };
@@ -150,7 +150,8 @@ TEST_F(FigureThree, TheHeightOfTheNeighbourChoosesAmongCandidates) {
   const int wrong = static_cast<int>(views_[1].segments.size()) - 1;
   add_candidate(kC, wrong, 0.95);
   const Segment2 of_c = views_[0].segments[kC].line.segment;
-  // the left image shows it as C, so the candidate's height follows from its place in the right image
+  // the left image shows it as C, so the candidate's height follows from its place in the right
+  // image
   const auto overlap =
       epipolar_overlap(*searched_segment(search_, of_c), views_[1].segments[wrong].line.segment);
   ASSERT_GT(overlap->height_m[0], 10.0);

@@ -13,7 +13,8 @@ constexpr double kLimit_px = 3.0;
 constexpr double kExact_px = 1e-6;  // rounding of a few thousand pixels in double
 const std::array<Eigen::Vector2i, 2> kSizes{Eigen::Vector2i(1000, 800), Eigen::Vector2i(900, 700)};
 
-/// Two cameras 800 m up and 200 m apart, the right one turned and tilted a little, so that no two readings agree.
+/// Two cameras 800 m up and 200 m apart, the right one turned and tilted a little, so that no two
+/// readings agree.
 PairGeometry oblique_pair() {
   PairGeometry geometry;
   geometry.heights_m = {0.0, 30.0};

@@ -61,7 +61,8 @@ inline const cv::Mat& block_image() {
   return image;
 }
 
-/// What the views of a block show of lines, without errors. Segment s of view v shows line line_of[v][s].
+/// What the views of a block show of lines, without errors. Segment s of view v shows line
+/// line_of[v][s].
 struct BlockScene {
   reconstruct::Scene scene;
   std::vector<Segment3> lines;
@@ -97,8 +98,8 @@ struct BlockScene {
     line_of[view].push_back(line);
   }
 
-  /// Turns the order of each view's segments around by another number, so that a line has other numbers in other
-  /// views.
+  /// Turns the order of each view's segments around by another number, so that a line has other
+  /// numbers in other views.
   void mix() {
     for (std::size_t v = 0; v < scene.views.size(); ++v) {
       auto& segments = scene.views[v].segments;
@@ -132,7 +133,8 @@ struct BlockScene {
     return pair;
   }
 
-  /// The sightings of a track by the ids of their views, which do not depend on the order of the views.
+  /// The sightings of a track by the ids of their views, which do not depend on the order of the
+  /// views.
   [[nodiscard]] std::set<std::pair<std::string, int>> sightings_by_id(const Track& track) const {
     std::set<std::pair<std::string, int>> all;
     for (const Sighting& s : track.seen) all.emplace(scene.views[s.view].id, s.segment);

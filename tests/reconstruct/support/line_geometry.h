@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The geometry of a reconstructed line that must have one: a test that reads it of a line without fails and says so.
+// The geometry of a reconstructed line that must have one: a test that reads it of a line without
+// fails and says so.
 #pragma once
 
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"

@@ -59,8 +59,8 @@ inline Segment3 make_neighbour(const StereoScene& scene,
   return {point_at(Segment3{meeting, far}, near), far};
 }
 
-/// Adds the images of the true lines, with random errors of the precision `stated`, or exactly without
-/// `random`.
+/// Adds the images of the true lines, with random errors of the precision `stated`, or exactly
+/// without `random`.
 inline void observe(LineGroup& group, const Noise& stated, Random* random) {
   for (std::size_t i = 0; i < group.truth.size(); ++i) {
     const std::array<Segment2, 2> images = group.scene.images(group.truth[i]);
@@ -72,8 +72,8 @@ inline void observe(LineGroup& group, const Noise& stated, Random* random) {
   }
 }
 
-/// A line, number 0, with the neighbours that meet it, 1, 2, ..., each connected with it. They are observed
-/// with random errors, or exactly without `random`.
+/// A line, number 0, with the neighbours that meet it, 1, 2, ..., each connected with it. They are
+/// observed with random errors, or exactly without `random`.
 inline LineGroup make_group(const SegmentSpec& line,
                             const std::vector<NeighbourSpec>& neighbours,
                             const Noise& noise = {},
@@ -88,7 +88,8 @@ inline LineGroup make_group(const SegmentSpec& line,
   return group;
 }
 
-/// The group of make_group() with random errors and with neighbours that miss the line by random distances.
+/// The group of make_group() with random errors and with neighbours that miss the line by random
+/// distances.
 inline LineGroup make_group_with_misses(const SegmentSpec& line,
                                         const std::vector<NeighbourSpec>& neighbours,
                                         double sigma_m,

@@ -8,8 +8,8 @@
 
 namespace ridgeline::test {
 
-/// Squared error of a line across itself, normalised by its covariance: chi-square with 4 degrees of
-/// freedom.
+/// Squared error of a line across itself, normalised by its covariance: chi-square with 4 degrees
+/// of freedom.
 inline double nees(const reconstruct::ReconstructedLine& line, const Segment3& truth) {
   Vector6d error;
   error << segment_of(line).start - truth.start, segment_of(line).end - truth.end;

@@ -41,7 +41,8 @@ inline double paint(double x_m, double y_m) {
          b * ((1.0 - a) * lattice(i, k + 1) + a * lattice(i + 1, k + 1));
 }
 
-/// Images of faces over painted ground at z = 0: the pair of StereoScene, cut out around the origin.
+/// Images of faces over painted ground at z = 0: the pair of StereoScene, cut out around the
+/// origin.
 struct PaintedRoofs {
   std::vector<PaintedFace> faces;
   int size_px = 400;

@@ -10,8 +10,8 @@
 
 namespace ridgeline::test {
 
-/// Two rectified views of painted surfaces, 8 bits: the right one has `n_all` columns more, and shows column x of the left one
-/// in its column x + n_all - d.
+/// Two rectified views of painted surfaces, 8 bits: the right one has `n_all` columns more, and
+/// shows column x of the left one in its column x + n_all - d.
 struct RectifiedViews {
   cv::Mat left, right;
 };

@@ -57,7 +57,8 @@ TEST(ProposeTrack, IsMoreCertainWithMoreViews) {
 
 TEST(ProposeTrack, StatesTheErrorsOfItsHeights) {
   constexpr int kTrials = 200;
-  // The error of the segment itself counts with each view as if it were new, so that the sum is near 2, not equal.
+  // The error of the segment itself counts with each view as if it were new, so that the sum is
+  // near 2, not equal.
   constexpr double kMinMean = 1.0;
   constexpr double kMaxMean = 3.0;
   constexpr int kMaxUndecidedTrials =
@@ -104,7 +105,8 @@ TEST(ProposeTrack, AViewThatShouldShowTheLineAndDoesNotLowersTheOdds) {
 }
 
 TEST(ProposeTrack, LeavesOutTheSegmentThatAllOtherViewsContradict) {
-  // View 1 alone does not predict sharply enough to tell; a hypothesis that begins with a view across the strip does.
+  // View 1 alone does not predict sharply enough to tell; a hypothesis that begins with a view
+  // across the strip does.
   constexpr double kBeside_m = 0.16;  // 1.6 px
   const Segment3 line{{-5.0, -3.0, 4.0}, {5.0, 4.0, 5.0}};
   BlockScene block;

@@ -19,7 +19,8 @@ namespace {
 
 using test::BlockScene;
 
-/// Expects that all sightings of each track show one line, and that each segment is in one track at most.
+/// Expects that all sightings of each track show one line, and that each segment is in one track at
+/// most.
 void expect_true_tracks(const BlockScene& block, const std::vector<Track>& tracks) {
   std::set<Sighting> taken;
   for (const Track& track : tracks) {
@@ -71,7 +72,8 @@ TEST(TracksOf, ALineInPiecesIsOneTrackWithAllPieces) {
 }
 
 TEST(TracksOf, PiecesBesideEachOtherAreNotOneTrack) {
-  // A double edge: the second one is 1 px beside the first one in one view, where it covers the same part.
+  // A double edge: the second one is 1 px beside the first one in one view, where it covers the
+  // same part.
   BlockScene block;
   const int line = block.add({{-8.0, -6.0, 4.0}, {8.0, 6.0, 5.0}});
   block.show(1, line, 0.2, 0.8);
@@ -80,8 +82,8 @@ TEST(TracksOf, PiecesBesideEachOtherAreNotOneTrack) {
   EXPECT_EQ(tracks[0].seen.size(), 5);
 }
 
-/// Equal lines across a strip, 2 m apart. A height that is wrong by 2 m x 800 / 208 moves the image of each to the
-/// next one in both other views.
+/// Equal lines across a strip, 2 m apart. A height that is wrong by 2 m x 800 / 208 moves the image
+/// of each to the next one in both other views.
 BlockScene repeated_lines() {
   BlockScene block(test::kStrip);
   for (int i = -6; i <= 6; ++i) block.add({{2.0 * i, -5.0, 7.5}, {2.0 * i, 5.0, 7.5}});

@@ -125,7 +125,8 @@ TEST(ChoosePairs, ConnectsAViewThatShowsLessThanThreeTenthsWithWhatShowsTheMostO
       {"a", {0.0, 0.0, 807.5}}, {"b", {-30.0, 0.0, 807.5}}, {"c", {300.0, 0.0, 807.5}}};
   EXPECT_THAT(pairs_by_id(scene_of(cameras)),
               UnorderedElementsAre(std::pair("a", "b"), std::pair("a", "c")));
-  // d shows enough of c: it is connected to c, and not to a with a ratio of 0.3 where little is in common.
+  // d shows enough of c: it is connected to c, and not to a with a ratio of 0.3 where little is in
+  // common.
   std::vector<BlockCamera> more = cameras;
   more.push_back({"d", {420.0, 0.0, 807.5}});
   EXPECT_THAT(pairs_by_id(scene_of(more)),

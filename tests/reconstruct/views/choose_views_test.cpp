@@ -14,7 +14,8 @@ using testing::IsEmpty;
 
 constexpr double kHeight_m = 1000.0;
 
-/// A camera that looks straight down from above a place, with columns to the east. The frame shows 400 m x 400 m.
+/// A camera that looks straight down from above a place, with columns to the east. The frame shows
+/// 400 m x 400 m.
 CandidateView view_above(const std::string& id, double x_m, double y_m) {
   const InteriorOrientation interior{{10000.0, 10000.0}, {2000.0, 2000.0}, {}, {}};
   const ExteriorOrientation exterior{{x_m, y_m, kHeight_m}, Eigen::Matrix3d::Identity()};
@@ -90,7 +91,8 @@ TEST(ChooseViews, MateIsTheOneWithTheBestBaseThatCanBeMatched) {
   std::vector<CandidateView> views{view_above("a", 0.0, 0.0), view_above("near", 50.0, 0.0),
                                    view_above("good", 150.0, 0.0)};
   EXPECT_THAT(chosen(views, 2), testing::ElementsAre("a", "good"));
-  // a wide frame shows the place, but a base of 0.8 of the height is too long unless there is no other
+  // a wide frame shows the place, but a base of 0.8 of the height is too long unless there is no
+  // other
   CandidateView wide = view_above("wide", 800.0, 0.0);
   wide.image_from_local.row(0) += 8000.0 * wide.image_from_local.row(2);
   wide.size_px = {16000, 4000};
@@ -101,7 +103,8 @@ TEST(ChooseViews, MateIsTheOneWithTheBestBaseThatCanBeMatched) {
 }
 
 TEST(ChooseViews, MateIsNotChosenForTheFewLinesAlongTheBase) {
-  // The base of a and long lies along one of the directions in which lines are looked at, that of a and short does not.
+  // The base of a and long lies along one of the directions in which lines are looked at, that of a
+  // and short does not.
   const std::vector<CandidateView> views{view_above("a", 0.0, 0.0), view_above("long", 150.0, 0.0),
                                          view_above("short", 10.0, 70.0)};
   EXPECT_THAT(chosen(views, 2), testing::ElementsAre("a", "long"));

@@ -12,8 +12,8 @@
 
 namespace ridgeline::apps {
 
-/// A folder of results as `ridgeline block` leaves it: 10_20 with two lines, its neighbour 11_20 without any, and 10_21, which
-/// failed. The cloud lies in a folder of its own.
+/// A folder of results as `ridgeline block` leaves it: 10_20 with two lines, its neighbour 11_20
+/// without any, and 10_21, which failed. The cloud lies in a folder of its own.
 class BlockFixture {
  public:
   BlockFixture() {

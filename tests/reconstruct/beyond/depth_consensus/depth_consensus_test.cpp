@@ -277,8 +277,8 @@ TEST(DepthConsensus, OfEndsThatDisagreeTheHeightOfALineNearbyDecides) {
 /// Part of a line across the first one, by distances beside the middle of the first one, px.
 using Stretch = std::array<double, 2>;
 
-/// Adds a rising line whose left segment is longer than the right one. The middle of the right one has a given
-/// height. The line is not connected and meets nothing.
+/// Adds a rising line whose left segment is longer than the right one. The middle of the right one
+/// has a given height. The line is not connected and meets nothing.
 void add_line_with_short_mate(LineGroup& group, Stretch left, Stretch right, double height_m) {
   constexpr double kRiseM = 0.005;  // per pixel
   const Eigen::Vector2d across =
@@ -313,7 +313,8 @@ std::array<double, 2> heights_beside(Stretch left, Stretch right, double height_
 }
 
 TEST(DepthConsensus, HeightsNearbyAreThoseOfEndsThatBothImagesShow) {
-  // within 100 px is near: both ends of the left segment are farther off, those of its mate are near
+  // within 100 px is near: both ends of the left segment are farther off, those of its mate are
+  // near
   const Stretch whole{-120.0, 200.0};
   for (const double height_m : {kHeightM, 3.0}) {
     EXPECT_THAT(heights_beside(whole, {25.0, 55.0}, height_m),

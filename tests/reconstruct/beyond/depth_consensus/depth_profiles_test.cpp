@@ -45,7 +45,8 @@ void add_meeting(LineGroup& group, const Eigen::Vector3d& x, double angle_deg) {
   group.connections.push_back({0, static_cast<int>(group.matches.size()) - 1});
 }
 
-/// A group whose only match reaches from the first to the last end of these lines; `truth` holds the lines.
+/// A group whose only match reaches from the first to the last end of these lines; `truth` holds
+/// the lines.
 LineGroup match_of(const std::vector<Segment3>& lines) {
   LineGroup group;
   add(group, {lines.front().start, lines.back().end});

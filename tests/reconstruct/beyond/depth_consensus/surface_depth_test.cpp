@@ -17,7 +17,8 @@ using test::segment_of;
 constexpr double kSurface_m = 0.1;  // error of the exact surface, by the prior of its slopes
 constexpr int kSize_px = 400;
 
-/// A line of 100 px along the epipolar line and what meets it, in images of 400 px around the origin.
+/// A line of 100 px along the epipolar line and what meets it, in images of 400 px around the
+/// origin.
 test::LineGroup group_of(double z_m, const std::vector<test::NeighbourSpec>& neighbours) {
   test::LineGroup group;
   for (ProjectionMatrix& camera : group.scene.cameras) {

@@ -11,7 +11,8 @@ namespace {
 
 using test::PaintedPair;
 
-/// A flat roof at 6 m; its east and west eaves run across the epipolar lines. A line meets a corner of it.
+/// A flat roof at 6 m; its east and west eaves run across the epipolar lines. A line meets a corner
+/// of it.
 class PropagateHeights : public testing::Test {
  protected:
   static constexpr PaintedPair::Roof kRoof{-6.0, -5.0, 6.0, 5.0, 6.0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The east edge of a roof: the left camera, in whose nadir it stands, sees the ground beside it, the
-// right one a black wall 29 px wide before that ground.
+// The east edge of a roof: the left camera, in whose nadir it stands, sees the ground beside it,
+// the right one a black wall 29 px wide before that ground.
 #include "reconstruct/beyond/hidden_walls/side_past_wall.h"
 
 #include "tests/reconstruct/ok2011/match/painted_pair.h"

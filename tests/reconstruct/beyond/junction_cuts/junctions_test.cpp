@@ -121,8 +121,8 @@ TEST(CutAtJunctions, PartsKeepTheLeastLengthAndEverySample) {
   EXPECT_EQ(n, static_cast<std::size_t>(kLength) + 30U);
 }
 
-/// Four roofs, each with an eave above and below two verges that rise by 0.3 px to the ridge, on both
-/// sides of which the roof has other colours, if there is a ridge.
+/// Four roofs, each with an eave above and below two verges that rise by 0.3 px to the ridge, on
+/// both sides of which the roof has other colours, if there is a ridge.
 cv::Mat gables(bool with_ridge) {
   constexpr double kBlurPx = 0.8;
   const auto below = [](double x) { return test::normal_below(x / kBlurPx); };

@@ -33,7 +33,8 @@ PaintedPair village() {
   return pair;
 }
 
-/// Adds walls that only the right image shows: lines in its corner with darker sides than all others.
+/// Adds walls that only the right image shows: lines in its corner with darker sides than all
+/// others.
 void add_walls(View& right, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) {
     EdgeSegment wall = test::edge({{2.0, 2.0}, {2.0, 12.0}});
@@ -75,8 +76,9 @@ TEST(MatchedRadiometry, StaysAsItWasWithoutCommonSurfaces) {
 }
 
 TEST(MatchedRadiometry, DoesNotTakeAWallForTheGroundThatTheOtherImageShows) {
-  // beside the east edge of each roof the left image shows the ground and the right one a wall, 14 px
-  // wide, which is one of the widths that look_past_wall() tries; without it there are too few surfaces
+  // beside the east edge of each roof the left image shows the ground and the right one a wall, 14
+  // px wide, which is one of the widths that look_past_wall() tries; without it there are too few
+  // surfaces
   constexpr double kEaves_m = 4.284;
   std::vector<PaintedPair::Roof> roofs;
   for (const double west : {-13.0, -5.0}) {

@@ -9,7 +9,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// The junction of a line of 100 px and one at right angles to it, which starts `gap_px` beyond the place `parameter`.
+/// The junction of a line of 100 px and one at right angles to it, which starts `gap_px` beyond the
+/// place `parameter`.
 Junction junction_at(double parameter, double gap_px) {
   const test::ConditionedScene scene;
   const Segment3 line = test::make_segment(scene.scene, test::line_at(45));

@@ -41,14 +41,16 @@ double largest_error_m(const ReconstructedLine& line, const Segment3& truth) {
                   (segment_of(line).end - truth.end).norm());
 }
 
-/// The larger distance of the two ends from the true line. Along it the ends scatter as those in the image do.
+/// The larger distance of the two ends from the true line. Along it the ends scatter as those in
+/// the image do.
 double error_across_m(const ReconstructedLine& line, const Segment3& truth) {
   const Eigen::Vector3d along = (truth.end - truth.start).normalized();
   return std::max((segment_of(line).start - truth.start).cross(along).norm(),
                   (segment_of(line).end - truth.start).cross(along).norm());
 }
 
-/// A group whose neighbours end on the line and miss it by half of sigma_meeting_m, as such ends do.
+/// A group whose neighbours end on the line and miss it by half of sigma_meeting_m, as such ends
+/// do.
 LineGroup group_with_misses(double theta_deg,
                             const std::vector<test::NeighbourSpec>& neighbours,
                             const test::Noise& noise,
@@ -110,7 +112,8 @@ TEST_P(NetworkPrecision, StatesItsErrors) {
     const LineGroup group =
         group_with_misses(GetParam(), kFiveNeighbours, test::scaled({}, 0.3), options, random);
     const auto lines = group.reconstruct(options);
-    // only lines with all meetings accepted count: a miss of 3 sigma is rejected, so the others are not normal
+    // only lines with all meetings accepted count: a miss of 3 sigma is rejected, so the others are
+    // not normal
     if (lines[0].n_meetings < 5) continue;
     sum += test::nees(lines[0], group.truth[0]);
     ++n;
@@ -155,7 +158,8 @@ TEST(Network, IsAsAccurateAsJointWithSomeOfTheFivePoints) {
         group_with_misses(random.uniform(0, 9), kFiveNeighbours, {}, network_options(), random);
     const ReconstructedLine before = group.reconstruct(joint)[0];
     const ReconstructedLine after = group.reconstruct(network_options())[0];
-    // a line without a depth stays without one: its five meetings are about as many as points that disagree
+    // a line without a depth stays without one: its five meetings are about as many as points that
+    // disagree
     ASSERT_EQ(after.segment_in_local.has_value(), before.segment_in_local.has_value()) << trial;
     if (!before.segment_in_local) continue;
     before_m.push_back(error_across_m(before, group.truth[0]));
@@ -181,7 +185,8 @@ TEST(Network, RejectsAFalseMeetingAmongFour) {
       test::SegmentSpec level = line_at(theta_deg);  // eaves and ridges are level
       level.end_z_m = level.start_z_m;
       LineGroup group = make_group(level, neighbours);
-      // the line is an eave over the ground: the two cross in both images only because the eave hides what is below
+      // the line is an eave over the ground: the two cross in both images only because the eave
+      // hides what is below
       const auto wrong = static_cast<std::size_t>(1 + trial % 4);
       const Eigen::Vector3d below(0, 0, -5.0);
       group.truth[wrong] = {group.truth[wrong].start + below, group.truth[wrong].end + below};

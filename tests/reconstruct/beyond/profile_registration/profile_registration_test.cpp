@@ -17,7 +17,8 @@ namespace {
 constexpr int kSizePx = 400;
 constexpr double kWidthM = 0.15;  // width of the marking, two pixels
 constexpr double kBlurM = 0.05;
-/// Error of the parabola through correlations an eighth of a pixel apart, and of bilinear interpolation.
+/// Error of the parabola through correlations an eighth of a pixel apart, and of bilinear
+/// interpolation.
 constexpr double kRegisteredPx = 0.035;
 
 /// A blurred step of height 1.
@@ -67,7 +68,8 @@ class Marking {
             {-10.0, 10.0}};
   }
 
-  /// The profiles of a match whose segments show `in_left` in the left and `in_right` in the right image.
+  /// The profiles of a match whose segments show `in_left` in the left and `in_right` in the right
+  /// image.
   [[nodiscard]] ComparedProfiles compared(const Segment3& in_left, const Segment3& in_right) const {
     return compare_profiles(pair(in_left, in_right), std::vector<LineMatch>{{0, 0}}, 10.0).at(0);
   }
@@ -129,7 +131,8 @@ TEST(RegisteredShifts, AreNoneWhereTheImagesShowDifferentSurfaces) {
 
 TEST(RegisteredShifts, AreNoneWhereTheMarkingIsTooFarAway) {
   const Marking scene(60.0);
-  // the marking is a tenth of a pixel beyond the search, at whose end the profiles are nearly as alike
+  // the marking is a tenth of a pixel beyond the search, at whose end the profiles are nearly as
+  // alike
   for (const double s_m : {0.207, -0.207}) {
     const double px =
         across_px(scene.seen(1, scene.line(s_m)), midpoint(scene.seen(1, scene.line())));

@@ -99,7 +99,8 @@ TEST(OwnSigmaScale, IsSmallForEqualProfilesAndGrowsWithTheirDifference) {
   EXPECT_LT(last, std::sqrt(6.1));
 }
 
-/// What the first n views of the block show of a line. Its errors are `errors` times the stated ones.
+/// What the first n views of the block show of a line. Its errors are `errors` times the stated
+/// ones.
 ObservedTrack seen_by(std::size_t n, double errors, test::Random& random) {
   const Segment3 truth{{-6.0, -5.0, 4.0}, {6.0, 5.0, 5.0}};
   const auto first = test::kBlock.begin();
@@ -141,7 +142,8 @@ TEST(Agreement, WithoutErrorsLeavesThePrior) {
 }
 
 TEST(Agreement, FollowsTheErrorsThatTheViewsHave) {
-  // Omega has 6 degrees of freedom and mean 6 errors^2; the mean of 1000 of them is good to 0.02 errors^2.
+  // Omega has 6 degrees of freedom and mean 6 errors^2; the mean of 1000 of them is good to 0.02
+  // errors^2.
   constexpr double kTolerance = 0.06;
   for (const double errors : {0.5, 1.0, 2.0}) {
     const double expected = (4.0 + 6.0 * errors * errors) / 10.0;

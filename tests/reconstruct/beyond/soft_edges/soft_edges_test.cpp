@@ -24,8 +24,8 @@ struct Disturbance {
   double noise = 0.005;
 };
 
-/// Sides of six large roofs. The texture of roofs and ground is finer than the blur of the edges, as compression and
-/// sharpening leave it.
+/// Sides of six large roofs. The texture of roofs and ground is finer than the blur of the edges,
+/// as compression and sharpening leave it.
 test::BlurredScene soft_scene(double blur_px, std::uint64_t seed, const Disturbance& by = {}) {
   constexpr int kCell_px = 450;
   constexpr double kTextureBlur_px = 0.8;
@@ -101,7 +101,8 @@ TEST(SoftEdges, HaveACovarianceThatHolds) {
     }
   }
   ASSERT_GT(z2.size(), 60U);
-  // Chi-squared of one degree of freedom lies below 3.84 for 95 %; three sigma are left to the share of so many edges.
+  // Chi-squared of one degree of freedom lies below 3.84 for 95 %; three sigma are left to the
+  // share of so many edges.
   const auto n = static_cast<double>(z2.size());
   const double least = 0.95 - 3.0 * std::sqrt(0.95 * 0.05 / n);
   const auto n_inside = std::ranges::count_if(z2, [](double value) { return value < 3.84; });

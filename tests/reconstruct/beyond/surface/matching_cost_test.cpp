@@ -46,7 +46,8 @@ TEST(MatchingCost, IsZeroForPixelsThatAreTheSame) {
   }
 }
 
-/// The difference of the grey values and gradients of two pixels of one band as the paper has it, in doubles.
+/// The difference of the grey values and gradients of two pixels of one band as the paper has it,
+/// in doubles.
 int plain_difference(const cv::Mat& left, int x, const cv::Mat& right, int x_right, int y) {
   const auto at = [](const cv::Mat& view, int column, int row) -> int {
     return view.at<unsigned char>(std::clamp(row, 0, view.rows - 1),

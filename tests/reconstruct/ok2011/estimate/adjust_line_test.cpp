@@ -22,7 +22,8 @@ using test::kDegree;
 using Planes = std::vector<UncertainPlane3>;
 using Points = std::vector<UncertainPoint3>;
 
-/// Standard deviations of an independent 3D point, m. That of the height is larger, as from a stereo pair.
+/// Standard deviations of an independent 3D point, m. That of the height is larger, as from a
+/// stereo pair.
 const Eigen::Vector3d kPointSigmaM(0.05, 0.05, 0.2);
 
 Planes planes_of(const ObservedTrack& observed) { return {observed[0].plane, observed[1].plane}; }

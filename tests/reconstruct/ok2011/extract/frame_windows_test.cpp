@@ -10,7 +10,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Makes squares of the image rough, as of grass beside asphalt, so that the blocks in which noise is estimated matter.
+/// Makes squares of the image rough, as of grass beside asphalt, so that the blocks in which noise
+/// is estimated matter.
 void roughen(cv::Mat& raw) {
   constexpr int kSquare_px = 100;
   cv::RNG random(5);

@@ -7,8 +7,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// A gradient whose strength is `left` in the left half of the image, `right` in the other one, and twice
-/// that in the lower half.
+/// A gradient whose strength is `left` in the left half of the image, `right` in the other one, and
+/// twice that in the lower half.
 cv::Mat quarters(float left, float right) {
   constexpr int kHalf = 2 * NoiseGrid::kBlock_px;
   cv::Mat gradient(2 * kHalf, 2 * kHalf, CV_32FC2, cv::Scalar(left, 0.0F));

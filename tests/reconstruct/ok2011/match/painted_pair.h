@@ -14,8 +14,8 @@
 
 namespace ridgeline::test {
 
-/// Images of roofs of one plane over level ground, with textures fixed to the surfaces and black walls, and
-/// segments as an extraction would find them.
+/// Images of roofs of one plane over level ground, with textures fixed to the surfaces and black
+/// walls, and segments as an extraction would find them.
 class PaintedPair {
  public:
   struct Roof {

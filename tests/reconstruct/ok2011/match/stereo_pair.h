@@ -12,9 +12,9 @@
 
 namespace ridgeline::test {
 
-/// Two vertical frames 800 m above z = 0, base 208 m along x unless told (B/H 0.26), f = 10,000 px, so
-/// that a metre is 12.5 px on the ground and moves 3.25 px per metre of height. The left image has the
-/// origin at pixel (0, 0), the right one too for z = 0. `kappa_rad` turns the right image.
+/// Two vertical frames 800 m above z = 0, base 208 m along x unless told (B/H 0.26), f = 10,000 px,
+/// so that a metre is 12.5 px on the ground and moves 3.25 px per metre of height. The left image
+/// has the origin at pixel (0, 0), the right one too for z = 0. `kappa_rad` turns the right image.
 struct StereoPair {
   static constexpr double kFocal_px = 10000.0;
   static constexpr double kHeight_m = 800.0;

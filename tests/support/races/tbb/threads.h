@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// ThreadSanitizer does not see how TBB, which is not compiled with it, hands work over, and takes every such hand-over
-// for a race. The build for it uses the parts of TBB that are in this folder. They start threads of the standard
-// library, whose hand-over it sees.
+// ThreadSanitizer does not see how TBB, which is not compiled with it, hands work over, and takes
+// every such hand-over for a race. The build for it uses the parts of TBB that are in this folder.
+// They start threads of the standard library, whose hand-over it sees.
 
 #include <atomic>
 #include <cstddef>
@@ -17,8 +17,9 @@ namespace tbb::races {
 inline std::atomic<std::size_t> allowed_threads{4};
 inline thread_local bool is_worker = false;
 
-/// Calls f(0) ... f(n - 1) from several threads and throws what one of them throws. Loops within loops stay in their thread. The counter
-/// orders nothing else (memory_order_relaxed), so that it hides no race.
+/// Calls f(0) ... f(n - 1) from several threads and throws what one of them throws. Loops within
+/// loops stay in their thread. The counter orders nothing else (memory_order_relaxed), so that it
+/// hides no race.
 template <typename F>
 void for_each_index(std::size_t n, const F& f) {
   std::atomic<std::size_t> next{0};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sheet that plans are drawn on: north is up, all layers cover the same box, points and lines are pictures, the rest is SVG.
+// The sheet that plans are drawn on: north is up, all layers cover the same box, points and lines
+// are pictures, the rest is SVG.
 import { distanceSteps, isDark, okabeIto } from '../data/colours';
 import { uint16, uint8 } from '../data/decode';
 import { h } from '../ui/dom';
@@ -52,7 +53,8 @@ export class Sheet {
     return (numbers, i) => this.at(x + dx * numbers[i]!, y + dy * numbers[i + 1]!);
   }
 
-  /** Points as grey squares that are as large as the points lie apart. Null leaves the sheet blank. */
+  /** Points as grey squares that are as large as the points lie apart. Null leaves the sheet blank.
+   */
   drawRelief(relief: Relief | null): void {
     const context = this.contextOf(this.relief);
     if (!relief) return;

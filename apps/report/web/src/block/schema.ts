@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What apps/report/block/block_json.cpp writes. Lengths in metres; plan coordinates are relative to `origin_m`.
+// What apps/report/block/block_json.cpp writes. Lengths in metres; plan coordinates are relative to
+// `origin_m`.
 import type { Report, Table2Row } from '../data/schema';
 
 export type Box = [left: number, bottom: number, right: number, top: number];

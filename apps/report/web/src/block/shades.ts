@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The figures that a plan of patches can show, and the shade of each value. Limits are fixed, so that blocks can be compared.
-// The shades (ColorBrewer's YlGnBu) grow darker step by step: the colour-blind and a printer without colours tell them apart.
+// The figures that a plan of patches can show, and the shade of each value. Limits are fixed, so
+// that blocks can be compared. The shades (ColorBrewer's YlGnBu) grow darker step by step: the
+// colour-blind and a printer without colours tell them apart.
 import { fixed, metres, missing, percent } from '../ui/format';
 import type { Figures } from './schema';
 

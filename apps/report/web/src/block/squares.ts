@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The squares of the patches: each is a link to its page. Shades show a figure, patterns what has none; arrow keys go from square
-// to square.
+// The squares of the patches: each is a link to its page. Shades show a figure, patterns what has
+// none; arrow keys go from square to square.
 import { replace } from '../ui/dom';
 import { svg } from '../ui/svg';
 import type { Sheet } from './map';
@@ -28,7 +28,8 @@ export class Squares {
     sheet.drawing.addEventListener('pointerleave', () => onPoint(null));
   }
 
-  /** `asFrames`: the shades stand at the rims, so that what lies under and over the squares can be seen. */
+  /** `asFrames`: the shades stand at the rims, so that what lies under and over the squares can be
+   * seen. */
   show(figure: Figure, method: number, asFrames: boolean): void {
     this.links.length = 0;
     replace(this.sheet.drawing, patterns(), ...this.patches.map((patch, i) => this.square(patch, i, figure, method, asFrames)));
@@ -59,7 +60,8 @@ export class Squares {
     return link;
   }
 
-  /** A finger has no way to point: its first tap shows the figures, the second one opens the page. */
+  /** A finger has no way to point: its first tap shows the figures, the second one opens the page.
+   */
   private onClick(event: PointerEvent, i: number): void {
     if (event.pointerType === 'touch' && this.tapped !== i) event.preventDefault();
     this.tapped = i;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The distortion of a lens: from ideal pixels, in which lines in space are straight, to those of the picture and back.
+// The distortion of a lens: from ideal pixels, in which lines in space are straight, to those of
+// the picture and back.
 import type { LineCoefficients, Point2 } from './geometry';
 import { clipToBox } from './geometry';
 import type { ImageSegment, Lens } from './schema';
@@ -20,7 +21,8 @@ export function distorted(lens: Lens | null, x: Point2): Point2 {
   ];
 }
 
-/** The ideal pixel of one of the picture, by iteration: good to a thousandth of a pixel within the field of a lens. */
+/** The ideal pixel of one of the picture, by iteration: good to a thousandth of a pixel within the
+ * field of a lens. */
 export function undistorted(lens: Lens | null, x: Point2): Point2 {
   if (!lens) return x;
   let ideal = x;
@@ -33,7 +35,8 @@ export function undistorted(lens: Lens | null, x: Point2): Point2 {
   return ideal;
 }
 
-/** The box of ideal pixels around all that a picture shows. Farther out the polynomials mean nothing. */
+/** The box of ideal pixels around all that a picture shows. Farther out the polynomials mean
+ * nothing. */
 export function idealBox(lens: Lens | null, width: number, height: number): Box {
   const border: Point2[] = [];
   const n = 16;

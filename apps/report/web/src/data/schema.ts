@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What apps/report/report_json.cpp writes. Lengths in metres, coordinates local to the patch's origin,
-// image coordinates in pixels with (0, 0) in the centre of the top-left pixel.
+// What apps/report/report_json.cpp writes. Lengths in metres, coordinates local to the patch's
+// origin, image coordinates in pixels with (0, 0) in the centre of the top-left pixel.
 
 export type Triple = [number, number, number];
 export type ImageSegment = [number, number, number, number];
@@ -28,7 +28,8 @@ export interface Summary {
   gross_share: number | null;
   n_outliers: number;
   rms_without_outliers_m: number | null;
-  /** How many lines, those farthest off, make half of the sum of squares, and the RMS of the others; not in tables of older versions. */
+  /** How many lines, those farthest off, make half of the sum of squares, and the RMS of the
+   * others; not in tables of older versions. */
   n_half_of_squares?: number;
   rms_without_half_m?: number | null;
   /** Number of ridges and hips with horizontal and vertical parts. */
@@ -38,7 +39,8 @@ export interface Summary {
   mean_vertical_m: number | null;
 }
 
-/** The figures of all judged lines of a class; tables of older versions do not tell by what they were decided. */
+/** The figures of all judged lines of a class; tables of older versions do not tell by what they
+ * were decided. */
 export interface ClassSummary extends Summary {
   decided_by?: { plan_images: Summary; points_place: Summary };
 }
@@ -165,7 +167,8 @@ export interface Line {
   kind: string | null;
   reason?: string;
   flags: string[];
-  /** What it is taken to be an edge of, and next to that, and the evidence that decided; null where it is not known. */
+  /** What it is taken to be an edge of, and next to that, and the evidence that decided; null where
+   * it is not known. */
   surface?: string | null;
   surface_other?: string | null;
   surface_probability?: number | null;
@@ -189,7 +192,8 @@ export interface Line {
   seen_end?: Triple;
   /** Its image segments; the first two are of the pair that it was found in. */
   sightings?: SightingOfLine[];
-  /** With three images and more, what each image shows of it; null for an image that it does not lie in. */
+  /** With three images and more, what each image shows of it; null for an image that it does not
+   * lie in. */
   views?: (LineInView | null)[];
   construction?: string;
   n_points?: number;
@@ -346,7 +350,8 @@ export interface Patch {
   /** The points that dense matching of the two images found. */
   surface: PointSet | null;
   methods: Method[];
-  /** Index of the method, or of the line file, whose lines the run is for; the others are baselines and never shown first. */
+  /** Index of the method, or of the line file, whose lines the run is for; the others are baselines
+   * and never shown first. */
   product: number;
 }
 

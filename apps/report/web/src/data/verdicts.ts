@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The verdicts on buildings, the worst first, with the looks that the map has, and a sentence on each.
+// The verdicts on buildings, the worst first, with the looks that the map has, and a sentence on
+// each.
 import { metres } from '../ui/format';
 import { okabeIto } from './colours';
 import type { Building } from './schema';

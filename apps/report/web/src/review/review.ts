@@ -159,7 +159,8 @@ export class Review {
     return this.stored.added.length;
   }
 
-  /** The numbers of verdicts, counted as `run` does: a left segment with a false match is false, not missed as well. */
+  /** The numbers of verdicts, counted as `run` does: a left segment with a false match is false,
+   * not missed as well. */
   counts(): { correct: number; false: number; unsure: number; missed: number } {
     const n = { correct: 0, false: 0, unsure: 0, missed: 0 };
     const isFalse = new Set<number>();
@@ -172,13 +173,15 @@ export class Review {
     return n;
   }
 
-  /** `run` reads reference_matches.csv of the base pair; the file of another pair has its images in its name. */
+  /** `run` reads reference_matches.csv of the base pair; the file of another pair has its images in
+   * its name. */
   get fileName(): string {
     const { images, pair } = this;
     return images && pair && this.state.now.pair > 0 ? `reference_matches.${images.nameOfPair(pair, '-')}.csv` : 'reference_matches.csv';
   }
 
-  /** Rows of the file: edges by their segments in both images. Matches that nobody is sure of are left out. */
+  /** Rows of the file: edges by their segments in both images. Matches that nobody is sure of are
+   * left out. */
   rows(): (string | number)[][] {
     const ends = ['x1_px', 'y1_px', 'x2_px', 'y2_px'];
     const rows: (string | number)[][] = [['id', 'verdict', ...ends.map((e) => `left_${e}`), ...ends.map((e) => `right_${e}`)]];

@@ -16,7 +16,8 @@ const colourOf: Record<LineColouring, (line: Line) => string> = {
   distance: distanceColour,
 };
 
-/** Lines lie in the points that they were judged by; the offset towards the eye keeps them visible. */
+/** Lines lie in the points that they were judged by; the offset towards the eye keeps them visible.
+ */
 function layer(width: number, dashed: boolean): LineSegments2 {
   const material = new LineMaterial({ linewidth: width, vertexColors: true, dashed, dashSize: 0.6, gapSize: 0.4,
     polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -600 });
@@ -25,8 +26,8 @@ function layer(width: number, dashed: boolean): LineSegments2 {
   return object;
 }
 
-/** Evaluated lines are solid, others dashed; aligned ones are thicker, so that a print without colour
- * tells them apart; the selected one is drawn over everything. */
+/** Evaluated lines are solid, others dashed; aligned ones are thicker, so that a print without
+ * colour tells them apart; the selected one is drawn over everything. */
 export class LineLayer {
   readonly object = new Group();
   private readonly parts: readonly { object: LineSegments2; has: (line: Line) => boolean }[] = [true, false].flatMap((aligned) =>

@@ -15,7 +15,8 @@ export function planeColours(method: Method): PointColours {
   return { classOf: (point) => planes[point]!, colourOf: (plane) => (plane === 0 ? noPlaneColour() : planeColour(plane - 1)) };
 }
 
-/** Colours points by height, in steps over the range of all but a few points, as matching errs by many metres at times. */
+/** Colours points by height, in steps over the range of all but a few points, as matching errs by
+ * many metres at times. */
 export function heightColours(points: PointSet): PointColours {
   const steps = 16;
   const heights = uint16(points.positions).filter((_, i) => i % 3 === 2);

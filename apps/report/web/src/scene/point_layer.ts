@@ -10,7 +10,8 @@ type Project = (x: Vector3) => [number, number, number] | null;
 
 type Bytes = [number, number, number];
 
-/** A colour in the renderer's linear scale. It is dimmed on a dark background, so that lines stand out. */
+/** A colour in the renderer's linear scale. It is dimmed on a dark background, so that lines stand
+ * out. */
 const bytesOf = (colour: string): Bytes => new Color(colour).multiplyScalar(isDark() ? 0.3 : 1).toArray().map((v) => Math.round(255 * v)) as Bytes;
 
 /** A permutation of 0 .. n-1 that spreads neighbours: any first part of it covers the whole. */

@@ -82,7 +82,8 @@ export class ScenePanel {
     this.updateLegend();
   }
 
-  /** Shows or hides the surface. Until the reader has chosen, it is shown only if there is no LIDAR. */
+  /** Shows or hides the surface. Until the reader has chosen, it is shown only if there is no
+   * LIDAR. */
   private updateSurface(): void {
     const { view, state: { patch } } = this;
     if (!view) return;

@@ -184,7 +184,8 @@ export class SceneView {
     this.render();
   }
 
-  /** Finds the box of the LIDAR points, else of the surface; without points, of the lines except the farthest. */
+  /** Finds the box of the LIDAR points, else of the surface; without points, of the lines except
+   * the farthest. */
   private findBox(patch: Patch, method: Method): void {
     this.box.makeEmpty();
     const points = patch.points ?? patch.surface;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The only way elements are made: text becomes text nodes, so that nothing in the data is ever markup.
+// The only way elements are made: text becomes text nodes, so that nothing in the data is ever
+// markup.
 
 type Child = Node | string | null | undefined | false;
 type Attributes = Record<string, string | number | boolean | EventListener | null | undefined>;

@@ -7,7 +7,8 @@ import { percent, words } from './format';
 export const surfaceWords = (line: Line): string =>
   [line.surface, line.surface_other].filter((name) => name).map((name) => words(name!)).join(', else ');
 
-/** The same with the probability of the surface and the evidence that decided: "lower (97.0 %), else object; decided by place". */
+/** The same with the probability of the surface and the evidence that decided: "lower (97.0 %),
+ * else object; decided by place". */
 export function surfaceSentence(line: Line): string {
   if (!line.surface) return '';
   const share = typeof line.surface_probability === 'number' ? ` (${percent(line.surface_probability)} %)` : '';

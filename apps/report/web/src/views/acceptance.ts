@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a client reads first: the verdict, the figure that counts, what was judged by what, what makes the figure, what to fix,
-// and where the lines lie.
+// What a client reads first: the verdict, the figure that counts, what was judged by what, what
+// makes the figure, what to fix, and where the lines lie.
 import { halfSentence, headline, isOfFiles, ofPlace, placeSentence, productRows } from '../data/product';
 import type { Report, Summary } from '../data/schema';
 import type { State } from '../state';

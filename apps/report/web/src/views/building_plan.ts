@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The buildings of a model in plan, their edges coloured by verdict, the worst with their place in the list.
+// The buildings of a model in plan, their edges coloured by verdict, the worst with their place in
+// the list.
 import type { Line } from '../data/schema';
 import { lookOf, verdicts, worstBuildings } from '../data/verdicts';
 import type { State } from '../state';

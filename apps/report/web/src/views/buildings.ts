@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The buildings of a model: how many are right, their plan, a table that begins with the worst, and sections of these.
+// The buildings of a model: how many are right, their plan, a table that begins with the worst, and
+// sections of these.
 import type { Building } from '../data/schema';
 import { reasonOf, verdicts } from '../data/verdicts';
 import type { State } from '../state';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pair of images, and further ones on request: segments (Fig. 1), matches (Fig. 7) or reconstructed lines; the
-// selected line with its epipolar lines.
+// The pair of images, and further ones on request: segments (Fig. 1), matches (Fig. 7) or
+// reconstructed lines; the selected line with its epipolar lines.
 import { classColour, okabeIto, selectionColour, verdictColours } from '../data/colours';
 import { distanceToSegment, type Point2 } from '../data/geometry';
 import type { ImageSegment, Line, PairOfViews } from '../data/schema';
@@ -122,7 +122,8 @@ export class ImagePair {
     return [pair.base, pair.search, ...[...this.further].filter((v) => v !== pair.base && v !== pair.search).sort((a, b) => a - b)];
   }
 
-  /** The images that show the selected line first, unless somebody has chosen others or judges matches. */
+  /** The images that show the selected line first, unless somebody has chosen others or judges
+   * matches. */
   private followLine(): void {
     const { images, state } = this;
     const { line, now } = state;
@@ -262,7 +263,8 @@ export class ImagePair {
     this.isClicked = false;
   }
 
-  /** The line at a place in an image. Lines of other tools have no segments in the report, but may state their own. */
+  /** The line at a place in an image. Lines of other tools have no segments in the report, but may
+   * state their own. */
   private lineAt(v: number, x: Point2, reach_px: number): number | null {
     const { images } = this;
     if (!images) return null;
@@ -292,7 +294,8 @@ export class ImagePair {
   }
 }
 
-/** Draws a line: its projection, its segments and, if wanted, the epipolar lines of its first segment. */
+/** Draws a line: its projection, its segments and, if wanted, the epipolar lines of its first
+ * segment. */
 export function paintLine(v: number, canvas: ImageCanvas, images: PatchImages, line: Line, width: number, halo: boolean, epipolar = true): void {
   if (epipolar) paintEpipolar(v, canvas, images, images.partnerOf(v, line));
   const seen = images.projectedCurve(v, line);

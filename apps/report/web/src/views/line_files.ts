@@ -6,7 +6,8 @@ import type { State } from '../state';
 import { button, h, table, type Column } from '../ui/dom';
 import { interval, metres, percent } from '../ui/format';
 
-/** The line files of an evaluation that has several, the leading one first; empty for other reports. */
+/** The line files of an evaluation that has several, the leading one first; empty for other
+ * reports. */
 export function comparedFiles(report: Report): string[] {
   const [patch] = report.patches;
   if (!patch || !isOfFiles(report) || patch.methods.length < 2) return [];
@@ -14,7 +15,8 @@ export function comparedFiles(report: Report): string[] {
   return [leading, ...patch.methods.map((m) => m.name).filter((name) => name !== leading)];
 }
 
-/** A table with a row per file, of all its lines. A click on the name shows the file in the plan and in all panels. */
+/** A table with a row per file, of all its lines. A click on the name shows the file in the plan
+ * and in all panels. */
 export function lineFiles(state: State): HTMLElement | null {
   const { report } = state;
   const names = comparedFiles(report);

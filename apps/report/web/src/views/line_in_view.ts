@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What an image shows of a line, in words. Patches of two images have none: both images show every line.
+// What an image shows of a line, in words. Patches of two images have none: both images show every
+// line.
 import type { Line, Patch } from '../data/schema';
 import { fixed } from '../ui/format';
 import type { PatchImages } from './patch_images';

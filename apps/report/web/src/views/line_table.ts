@@ -41,7 +41,8 @@ const columns: readonly LineColumn[] = [
 
 const isNumeric = (c: LineColumn, lines: readonly Line[]): boolean => lines.some((l) => typeof c.value(l) === 'number');
 
-/** Compares two lines by a column. Missing values come last in either direction; ids are in the order people count. */
+/** Compares two lines by a column. Missing values come last in either direction; ids are in the
+ * order people count. */
 function compare(a: Line, b: Line, column: LineColumn, descending: boolean): number {
   const x = column.value(a);
   const y = column.value(b);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The decoded images of a patch with their segments, shared by the images, the chips and the review.
+// The decoded images of a patch with their segments, shared by the images, the chips and the
+// review.
 import { float32, uint8 } from '../data/decode';
 import { epipolarLine, project, type Point2 } from '../data/geometry';
 import { clipLine, clipSegment, curveOf, distorted, idealBox, undistorted, type Box } from '../data/lens';
@@ -100,14 +101,16 @@ export class PatchImages {
     return [...new Set((line.sightings ?? []).map((s) => s[0]))].filter((view) => this.segmentsOfLine(view, line).length > 0);
   }
 
-  /** The segment whose epipolar lines an image shows of a line: its first one, or in that one's image that of another. */
+  /** The segment whose epipolar lines an image shows of a line: its first one, or in that one's
+   * image that of another. */
   partnerOf(view: number, line: Line): { view: number; segment: ImageSegment } | null {
     const other = this.viewsOfLine(line).find((v) => v !== view);
     const segment = other === undefined ? undefined : this.segmentsOfLine(other, line)[0];
     return other === undefined || !segment ? null : { view: other, segment };
   }
 
-  /** The 3D line as the camera sees it, in ideal pixels: the part of it that the picture may show if the lens distorts. */
+  /** The 3D line as the camera sees it, in ideal pixels: the part of it that the picture may show
+   * if the lens distorts. */
   private ideal(view: number, line: Line): ImageSegment | null {
     const [start, end] = [line.seen_start ?? line.start, line.seen_end ?? line.end];
     if (!start || !end) return null;
@@ -125,7 +128,8 @@ export class PatchImages {
     return ideal && curveOf(this.images.views[view]!.lens, ideal);
   }
 
-  /** The epipolar line in `view` of a point in the picture of another image: a curve if the lens distorts. */
+  /** The epipolar line in `view` of a point in the picture of another image: a curve if the lens
+   * distorts. */
   epipolarCurve(view: number, other: number, xInOther: Point2): Point2[] | null {
     const [own, from] = [this.images.views[view]!, this.images.views[other]!];
     const part = clipLine(epipolarLine(own.projection, from.projection, undistorted(from.lens, xInOther)), this.boxes[view]!);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lines of a method in plan, coloured by distance, with scale and legend; a drawing that prints.
+// The lines of a method in plan, coloured by distance, with scale and legend; a drawing that
+// prints.
 import { distanceColour, distanceSteps, okabeIto, selectionColour } from '../data/colours';
 import type { Line, Method, Patch } from '../data/schema';
 import type { State } from '../state';

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lines farthest off, each with a piece of the image and a section through the laser points across it.
+// The lines farthest off, each with a piece of the image and a section through the laser points
+// across it.
 import { planeColour, selectionColour } from '../data/colours';
 import { uint16 } from '../data/decode';
 import { halfSentence, headline, isOfFiles, worstLines } from '../data/product';
@@ -48,7 +49,8 @@ function crop(images: PatchImages, line: Line): HTMLCanvasElement | null {
   return element;
 }
 
-/** The laser points between the ends of the line and within 6 m of it, seen along the line, which is a cross. */
+/** The laser points between the ends of the line and within 6 m of it, seen along the line, which
+ * is a cross. */
 function section(points: Points, positions: Uint16Array, planeOfPoint: Uint16Array, line: Line): HTMLCanvasElement | null {
   if (!line.start || !line.end) return null;
   const reach_m = 6;
@@ -70,7 +72,8 @@ function section(points: Points, positions: Uint16Array, planeOfPoint: Uint16Arr
     found.push({ t, z: points.low[2] + positions[3 * i + 2]! * points.step[2], plane: planeOfPoint[i]! });
   }
   if (found.length === 0) return null;
-  // the points nearest to the line in height set the middle: a line metres off stays in the picture as well as they can
+  // the points nearest to the line in height set the middle: a line metres off stays in the picture
+  // as well as they can
   const nearest = found.map((p) => p.z).sort((a, b) => Math.abs(a - z0) - Math.abs(b - z0))[Math.floor(found.length / 4)]!;
   const middle = (z0 + nearest) / 2;
   const toCanvas = (t: number, z: number): [number, number] => [size[0] / 2 + t * scale, size[1] / 2 - (z - middle) * scale];
