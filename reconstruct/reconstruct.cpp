@@ -115,11 +115,11 @@ std::vector<PairConnection> connections_of(const Scene& scene,
     std::vector<int> track_of_match;
     for (std::size_t t = 0; t < tracks.size(); ++t) {
       const auto in_view = [&](std::size_t view) {
-        return std::ranges::find(tracks[t].seen, view, &Sighting::view);
+        return std::ranges::find(tracks[t].observations, view, &Observation::view);
       };
       const auto base = in_view(pair.views.base);
       const auto search = in_view(pair.views.search);
-      if (base == tracks[t].seen.end() || search == tracks[t].seen.end()) continue;
+      if (base == tracks[t].observations.end() || search == tracks[t].observations.end()) continue;
       matches.push_back({base->segment, search->segment});
       track_of_match.push_back(static_cast<int>(t));
     }
@@ -150,7 +150,7 @@ void guide(const StereoPair& pair, const Options& options, PairMatches& matches)
   matches.guided = std::move(found.mates);
 }
 
-/// Adjusts each line to the faces beside it that the pair of its first two sightings shows.
+/// Adjusts each line to the faces beside it that the pair of its first two observations shows.
 void adjust_to_faces(std::span<const UsedPair> pairs, std::vector<ReconstructedLine>& lines) {
   std::map<const Surface*, PlaneFaces> faces;
   for (const UsedPair& pair : pairs) {
@@ -158,7 +158,7 @@ void adjust_to_faces(std::span<const UsedPair> pairs, std::vector<ReconstructedL
   }
   const SurfaceOf surface_of = surfaces_of(pairs);
   for (ReconstructedLine& line : lines) {
-    const Surface* surface = surface_of(line.seen[0].sighting.view, line.seen[1].sighting.view);
+    const Surface* surface = surface_of(line.base().view, line.other().view);
     if (surface != nullptr) adjust_to_faces_beside(surface->rectification, faces.at(surface), line);
   }
 }
@@ -185,7 +185,7 @@ std::vector<ReconstructedLine> lines_of_edges(const Scene& scene,
       tracked, estimation.lines, estimate_extensions(estimation, surfaces_of(pairs)));
   if (estimation.beyond.shared_errors) {
     for (ReconstructedLine& line : lines)
-      add_shared_error(cameras[line.seen[0].sighting.view], line);
+      add_shared_error(cameras[line.base().view], line);
   }
   if (estimation.beyond.adjusts_to_faces() && estimation.lines.method != Method::kDirect)
     adjust_to_faces(pairs, lines);
@@ -390,8 +390,8 @@ std::vector<ReconstructedLine> estimate_at_scale(const Scene& scene,
     if (pair.surface == nullptr) continue;
     for (ReconstructedLine& line : plane_lines(stereo_pair(scene, pair.views), *pair.surface, lines,
                                                options.estimation.lines.max_aligned_angle_deg)) {
-      line.seen[0].sighting.view = pair.views.base;
-      line.seen[1].sighting.view = pair.views.search;
+      line.base().view = pair.views.base;
+      line.other().view = pair.views.search;
       lines.push_back(std::move(line));
     }
   }
@@ -419,8 +419,8 @@ std::vector<ReconstructedLine> estimate(const Scene& scene,
   std::vector<ReconstructedLine> lines =
       estimate_at_scale(at_scale_of_blur(scene, factors), tracks, scaled_pairs, options);
   for (ReconstructedLine& line : lines) {
-    for (SeenSegment& seen : line.seen) {
-      const std::size_t view = seen.sighting.view;
+    for (ObservedSegment& seen : line.observations) {
+      const std::size_t view = seen.view;
       seen.px = in_pixels_of(scene.views[view], factors[view], seen.px);
     }
   }

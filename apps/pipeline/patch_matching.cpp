@@ -32,13 +32,13 @@ std::vector<evaluate::EdgeInBoth> edges_in_both(const std::vector<io::ReferenceE
 /// The largest epipolar angle over the pairs of runs in different views.
 double largest_angle_rad(const evaluate::TrueEdge& edge, const io::PatchFile& patch) {
   double largest_rad = 0.0;
-  for (const evaluate::TrueEdge::Run& a : edge.runs) {
-    for (const evaluate::TrueEdge::Run& b : edge.runs) {
+  for (const ObservedSegment& a : edge.runs) {
+    for (const ObservedSegment& b : edge.runs) {
       if (a.view >= b.view) continue;
       largest_rad =
           std::max(largest_rad, epipolar_angle_rad({patch.images[a.view].image_from_world,
                                                     patch.images[b.view].image_from_world},
-                                                   a.segment, b.segment));
+                                                   a.px, b.px));
     }
   }
   return largest_rad;
@@ -53,12 +53,12 @@ std::vector<evaluate::TrueEdge> true_edges(const io::PatchFile& patch,
   for (const io::ReferenceTrack& track :
        io::read_reference_tracks(*patch.reference_tracks, images, patch.chooses_images)) {
     evaluate::TrueEdge edge;
-    for (const io::ReferenceSighting& s : track.sightings) {
+    for (const ObservedSegment& s : track.observations) {
       if (s.view >= n_views) continue;
-      const Segment2 segment = in_window(s.segment, patch.images[s.view]);
-      if (is_read(segment, patch.images[s.view])) edge.runs.push_back({s.view, segment});
+      const Segment2 segment = in_window(s.px, patch.images[s.view]);
+      if (is_read(segment, patch.images[s.view])) edge.runs.push_back({{s.view, -1}, segment});
     }
-    const bool is_in_two = std::ranges::any_of(edge.runs, [&](const evaluate::TrueEdge::Run& run) {
+    const bool is_in_two = std::ranges::any_of(edge.runs, [&](const ObservedSegment& run) {
       return run.view != edge.runs.front().view;
     });
     if (!is_in_two) continue;

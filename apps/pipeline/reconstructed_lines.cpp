@@ -30,7 +30,7 @@ Segment3 in_world(const std::optional<Segment3>& segment_in_local, const LocalFr
 
 /// Whether the line comes from a match of two edges, and not from the intersection of two planes.
 bool is_of_match(const reconstruct::ReconstructedLine& line) {
-  return line.seen[0].sighting.segment >= 0;
+  return line.base().segment >= 0;
 }
 
 /// The number of the match, "17"; with that of the part, "17.2", if the match shows several lines.
@@ -45,11 +45,11 @@ void set_pair(const reconstruct::ReconstructedLine& line, io::Line& out) {
   for (const auto& [view, id, px] :
        {std::tuple(0U, &out.left_id, &out.left_px), std::tuple(1U, &out.right_id, &out.right_px)}) {
     const auto seen = std::ranges::find_if(
-        line.seen,
-        [&, v = view](const reconstruct::SeenSegment& s) { return s.sighting.view == v; });
-    if (seen == line.seen.end()) continue;
+        line.observations,
+        [&, v = view](const ObservedSegment& s) { return s.view == v; });
+    if (seen == line.observations.end()) continue;
     *px = seen->px;
-    if (is_of_match(line)) *id = std::to_string(seen->sighting.segment);
+    if (is_of_match(line)) *id = std::to_string(seen->segment);
   }
 }
 
@@ -75,7 +75,7 @@ std::string class_by_base_pair(const reconstruct::ReconstructedLine& line,
 
 int n_images(const reconstruct::ReconstructedLine& line) {
   std::set<std::size_t> views;
-  for (const reconstruct::SeenSegment& seen : line.seen) views.insert(seen.sighting.view);
+  for (const ObservedSegment& seen : line.observations) views.insert(seen.view);
   return static_cast<int>(views.size());
 }
 
@@ -104,8 +104,8 @@ io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
     set_pair(line, out);
     if (scene.views.size() > 2) {
       out.class_base = class_by_base_pair(line, scene, out, max_aligned_angle_deg);
-      out.sightings = transformed(line.seen, [&](const reconstruct::SeenSegment& seen) {
-        return io::LineSighting{scene.views[seen.sighting.view].id, seen.px};
+      out.observations = transformed(line.observations, [&](const ObservedSegment& seen) {
+        return io::LineObservation{scene.views[seen.view].id, seen.px};
       });
     }
     out.n_points = static_cast<int>(line.points.size()) + line.n_meetings;

@@ -20,7 +20,7 @@
 namespace ridgeline::io {
 
 /// The segment that an image shows of a line.
-struct LineSighting {
+struct LineObservation {
   std::string image;  ///< id of the image in its patch
   Segment2 px;        ///< ideal pixels
 };
@@ -45,7 +45,7 @@ struct Line {
   std::optional<Segment2> left_px, right_px;
   /// All image segments of a line that was made from three images or more, in files [["IMAGE", x1,
   /// y1, x2, y2], ...].
-  std::vector<LineSighting> sightings;
+  std::vector<LineObservation> observations;
   std::optional<double> epipolar_angle_deg;
   /// Share of the length of a true line that the base and the other image show, 0..1.
   std::optional<double> visible_left, visible_right;

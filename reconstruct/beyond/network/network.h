@@ -17,7 +17,7 @@ namespace ridgeline::reconstruct {
 
 /// A line of a track as it enters the common adjustment, in the conditioned frames.
 struct NetworkLine {
-  ObservedTrack seen;
+  ObservedTrack track;
   Vector6d start = Vector6d::Zero();  ///< unit vector
   /// Covariance of `start`, by which likely meetings are found at the beginning; none if nothing is
   /// known of it.

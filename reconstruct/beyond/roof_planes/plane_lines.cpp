@@ -136,8 +136,8 @@ ReconstructedLine line_of(const StereoPair& pair,
       covariance(start, end, a, b, length(*line.segment_in_local) / length(crease));
   const std::array<ProjectionMatrix, 2> cameras = pair.cameras();
   for (const std::size_t view : {0U, 1U})
-    line.seen.push_back({{view, -1}, project(cameras[view], *line.segment_in_local)});
-  line.epipolar_angle_rad = epipolar_angle_rad(cameras, line.seen[0].px, line.seen[1].px);
+    line.observations.push_back({{view, -1}, project(cameras[view], *line.segment_in_local)});
+  line.epipolar_angle_rad = epipolar_angle_rad(cameras, line.base().px, line.other().px);
   line.line_class = line.epipolar_angle_rad <= max_aligned_angle_deg * kRadPerDeg
                         ? LineClass::kAligned
                         : LineClass::kNotAligned;

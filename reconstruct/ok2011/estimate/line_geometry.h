@@ -37,7 +37,7 @@ double largest_sigma_z_m(const Matrix6d& cov_m2);
 /// within 3 sigma. Returns false and changes nothing if a camera does not see the line between its
 /// base ends.
 bool assign_geometry(const ConditionedViews& frames,
-                     const ObservedTrack& seen,
+                     const ObservedTrack& track,
                      const UncertainLine3& estimate,
                      double max_end_sigma_m,
                      ReconstructedLine& result);

@@ -14,7 +14,7 @@ namespace ridgeline::reconstruct {
 
 /// A line of an aligned track and what supports it beside its projection planes.
 struct LineSupport {
-  ObservedTrack seen;                    ///< the track, or the part of it that shows the line
+  ObservedTrack track;                   ///< the track, or the part of it that shows the line
   std::vector<CandidatePoint> points{};  ///< artificial points, one per region at most
   /// Points in space that the base and its partner show on their segments. They lie on the surface
   /// beside the line if it is known. Otherwise they are the ends of the segments, used if the

@@ -59,15 +59,9 @@ struct UsedPoint {
   Region region = Region::kLeft;
 };
 
-/// A sighting of a line and its segment, or the part of it that shows the line.
-struct SeenSegment {
-  Sighting sighting;
-  Segment2 px;
-};
-
-struct ReconstructedLine {
-  /// The sightings in the order of the track. An intersection of surfaces has segment -1.
-  std::vector<SeenSegment> seen;
+/// A line with its observations in the order of the track; those of an intersection of surfaces
+/// have segment -1.
+struct ReconstructedLine : TrackOf<ObservedSegment> {
   /// Number of the part, counted from the start of the base segment, if the track was cut into
   /// several lines (agree_on_depth()); 0 for a whole track.
   int part = 0;
@@ -76,7 +70,7 @@ struct ReconstructedLine {
   Status status = Status::kNoIntersection;
   bool between_partner_ends =
       false;  ///< whether segment_in_local has the ends of the partner segment
-  /// The largest angle of all pairs of its sightings, of each pair the smaller one of both images.
+  /// The largest angle of all pairs of its observations, of each pair the smaller one of both images.
   double epipolar_angle_rad = 0.0;
   /// The line in m, as assign_geometry() chooses its ends.
   std::optional<Segment3> segment_in_local;
@@ -121,7 +115,7 @@ struct EstimateExtensions {
 
 /// The 3D lines of tracks of image segments (Ok et al. 2011, section 3), in the order of the
 /// tracks. A not_aligned line is the intersection of the projection planes, or adjusted to those of
-/// three sightings and more. With Method::kJoint, an aligned line is adjusted to these planes and
+/// three observations and more. With Method::kJoint, an aligned line is adjusted to these planes and
 /// to the best artificial points made with the lines that it has a pair connection with. With
 /// Method::kNetwork, all these lines are then adjusted together (adjust_network()). If a base
 /// segment belongs to several tracks, each line gets the part that its partner shows. There is one
@@ -135,7 +129,7 @@ struct EstimateExtensions {
 /// Throws std::invalid_argument for fewer than two images, options out of range, an index out of
 /// range, a track that does not begin with two views, a connection of a track with itself, a
 /// segment without length or precision, registrations that are not finite or not as many as the
-/// sightings, and Method::kNetwork without its extension.
+/// observations, and Method::kNetwork without its extension.
 std::vector<ReconstructedLine> reconstruct_lines(const TrackedSegments& tracked,
                                                  const ReconstructOptions& options = {},
                                                  const EstimateExtensions& beyond = {});

@@ -36,20 +36,20 @@ struct TwoTrackedLines {
   }
 };
 
-TEST(TrackedLines, AreInTheOrderOfTheirSightings) {
+TEST(TrackedLines, AreInTheOrderOfTheirObservations) {
   const TwoTrackedLines two;
-  const std::vector<Sightings> seen = extracted(two.tracked());
+  const std::vector<TrackSegments> seen = extracted(two.tracked());
   const TrackedLines lines = two.lines();
   ASSERT_EQ(lines.lines.size(), two.tracks.size());
   for (std::size_t i = 0; i < two.tracks.size(); ++i) {
-    ASSERT_EQ(lines.lines[i].size(), two.tracks[i].seen.size());
-    for (std::size_t s = 0; s < two.tracks[i].seen.size(); ++s) {
-      const Sighting& sighting = two.tracks[i].seen[s];
-      const auto number = static_cast<std::size_t>(sighting.segment);
-      const Segment2& expected = two.segments[sighting.view][number].segment;
+    ASSERT_EQ(lines.lines[i].size(), two.tracks[i].observations.size());
+    for (std::size_t s = 0; s < two.tracks[i].observations.size(); ++s) {
+      const Observation& observation = two.tracks[i].observations[s];
+      const auto number = static_cast<std::size_t>(observation.segment);
+      const Segment2& expected = two.segments[observation.view][number].segment;
       EXPECT_EQ(seen[i][s].segment.start, expected.start);
-      EXPECT_EQ(lines.lines[i][s].view, sighting.view);
-      const ImageConditioning& image = lines.frames.views[sighting.view].image;
+      EXPECT_EQ(lines.lines[i][s].view, observation.view);
+      const ImageConditioning& image = lines.frames.views[observation.view].image;
       EXPECT_LT((lines.lines[i][s].segment.end - image.conditioned_from_image(expected.end)).norm(),
                 kTrackedTol);
     }
@@ -86,13 +86,13 @@ TEST(SeenTogether, HasEachViewOfBothOnceInTheOrderOfTheFirst) {
   EXPECT_EQ(of_second, (std::vector<std::size_t>{3, 1, 0}));
 }
 
-TEST(Registered, MovesEachSightingByItsOwnRegistration) {
+TEST(Registered, MovesEachObservationByItsOwnRegistration) {
   TwoTrackedLines two;
   const std::vector<Registrations> registrations{{{}, {}, {2.0, 3.0}, {}, {}}, Registrations(4)};
   TrackedSegments tracked = two.tracked();
   tracked.registrations = registrations;
-  const std::vector<Sightings> plain = extracted(tracked);
-  const std::vector<Sightings> moved = registered(tracked);
+  const std::vector<TrackSegments> plain = extracted(tracked);
+  const std::vector<TrackSegments> moved = registered(tracked);
   for (std::size_t s = 0; s < plain[0].size(); ++s) {
     const double by_px = s == 2 ? 2.0 : 0.0;
     const double scale = s == 2 ? 3.0 : 1.0;
@@ -102,7 +102,7 @@ TEST(Registered, MovesEachSightingByItsOwnRegistration) {
   }
 }
 
-TEST(Extracted, RejectsSightingsThatAreNotThere) {
+TEST(Extracted, RejectsObservationsThatAreNotThere) {
   TwoTrackedLines two;
   two.tracks = {{{{0, 0}, {5, 0}}}};
   EXPECT_THROW(extracted(two.tracked()), std::invalid_argument);

@@ -52,7 +52,7 @@ Status status_of_pair(const Scene& scene, std::span<const Surface* const> surfac
   std::vector<ReconstructedLine> lines(1);
   lines[0].segment_in_local = kLine;
   lines[0].status = Status::kDirect;
-  lines[0].seen = {{{0, 0}, {}}, {{1, 0}, {}}};
+  lines[0].observations = {{{0, 0}, {}}, {{1, 0}, {}}};
   mark_unconfirmed(scene, surfaces, lines);
   return lines[0].status;
 }
@@ -82,8 +82,8 @@ TEST(Confirmation, IsThereForLinesOfThreeViewsAndLinesWithoutAPlace) {
   std::vector<ReconstructedLine> lines(2);
   lines[0].segment_in_local = kLine;
   lines[0].status = Status::kDirect;
-  lines[0].seen = {{{0, 0}, {}}, {{1, 0}, {}}, {{2, 0}, {}}};
-  lines[1].seen = {{{0, 1}, {}}, {{1, 1}, {}}};
+  lines[0].observations = {{{0, 0}, {}}, {{1, 0}, {}}, {{2, 0}, {}}};
+  lines[1].observations = {{{0, 1}, {}}, {{1, 1}, {}}};
   mark_unconfirmed(scene, {}, lines);
   EXPECT_EQ(lines[0].status, Status::kDirect);
   EXPECT_EQ(lines[1].status, Status::kNoIntersection);

@@ -179,7 +179,7 @@ TEST_P(InvarianceOfEveryPath, OfTheDirectionOfSegments) {
   // parts of a match come in the order of its left segment
   for (auto first = actual.begin(); first != actual.end();) {
     const auto last = std::find_if(first, actual.end(), [&](const ReconstructedLine& line) {
-      return line.seen[0].sighting.segment != first->seen[0].sighting.segment;
+      return line.base().segment != first->base().segment;
     });
     std::reverse(first, last);
     first = last;

@@ -122,7 +122,7 @@ TEST(ReconstructLines, OfALineWithTwoMatesEachGivesThePartThatItsMateShows) {
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_LT(error_m(lines[i], parts[i]), kRecoveredM) << i;
     const Segment2 seen = group.scene.images(parts[i])[0];
-    EXPECT_LT((lines[i].seen[0].px.start - seen.start).norm(), 1e-6) << i;
+    EXPECT_LT((lines[i].base().px.start - seen.start).norm(), 1e-6) << i;
   }
 }
 
@@ -237,7 +237,7 @@ TEST(ReconstructLines, AnswersInOrderOfTheTracksAndForNoneWithNone) {
   const auto lines = group.reconstruct();
   ASSERT_EQ(lines.size(), group.matches.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    EXPECT_EQ(lines[i].seen[0].sighting.segment, static_cast<int>(i));
+    EXPECT_EQ(lines[i].base().segment, static_cast<int>(i));
   }
   group.matches.clear();
   group.connections.clear();
@@ -262,7 +262,7 @@ TEST(ReconstructLines, MovesSegmentsAsAsked) {
     EXPECT_GT(error_m(group.reconstruct(options)[0], segment_of(truth)), 0.1);
     const ReconstructedLine line = group.reconstruct(options, registrations)[0];
     EXPECT_LT(error_m(line, segment_of(truth)), kRecoveredM) << name(method);
-    EXPECT_LT((line.seen[1].px.start - good.segments[1][0].segment.start).norm(), kRecoveredPx);
+    EXPECT_LT((line.other().px.start - good.segments[1][0].segment.start).norm(), kRecoveredPx);
     EXPECT_LT((covariance_of(line) - covariance_of(truth)).norm(),
               kRecoveredM * covariance_of(truth).norm());
   }
@@ -351,7 +351,7 @@ TEST(ReconstructLines, RejectsWrongInput) {
   EXPECT_EQ(rejected(good, test::published(), {{{}, {}}}),
             "reconstruct_lines: registrations = 1, must be one per track, 4, or none");
   EXPECT_EQ(rejected(good, test::published(), std::vector<Registrations>(4, Registrations(1))),
-            "reconstruct_lines: registrations of a track = 1, must be one per sighting, 2");
+            "reconstruct_lines: registrations of a track = 1, must be one per observation, 2");
   EXPECT_EQ(rejected_registration({HUGE_VAL, 1.0}),
             "reconstruct_lines: shift_px = inf, must be finite");
   EXPECT_EQ(rejected_registration({0.0, 0.0}),
