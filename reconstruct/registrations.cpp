@@ -32,7 +32,8 @@ std::vector<std::vector<ComparedProfiles>> profiles_of(const Scene& scene,
   }
   for (const auto& [views, of_pair] : places) {
     const auto matches = transformed(of_pair, [&](const Place& p) {
-      return LineMatch{tracks[p.track].base().segment, tracks[p.track].observations[p.observation].segment};
+      return Correspondence{tracks[p.track].base().segment,
+                            tracks[p.track].observations[p.observation].segment};
     });
     const std::vector<ComparedProfiles> compared =
         compare_profiles(stereo_pair(scene, {views.first, views.second}), matches, max_angle_deg);

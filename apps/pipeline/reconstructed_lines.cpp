@@ -29,9 +29,7 @@ Segment3 in_world(const std::optional<Segment3>& segment_in_local, const LocalFr
 }
 
 /// Whether the line comes from a match of two edges, and not from the intersection of two planes.
-bool is_of_match(const reconstruct::ReconstructedLine& line) {
-  return line.base().segment >= 0;
-}
+bool is_of_match(const reconstruct::ReconstructedLine& line) { return line.base().segment >= 0; }
 
 /// The number of the match, "17"; with that of the part, "17.2", if the match shows several lines.
 /// An intersection of planes has `p` and a number.
@@ -45,8 +43,7 @@ void set_pair(const reconstruct::ReconstructedLine& line, io::Line& out) {
   for (const auto& [view, id, px] :
        {std::tuple(0U, &out.left_id, &out.left_px), std::tuple(1U, &out.right_id, &out.right_px)}) {
     const auto seen = std::ranges::find_if(
-        line.observations,
-        [&, v = view](const ObservedSegment& s) { return s.view == v; });
+        line.observations, [&, v = view](const ObservedSegment& s) { return s.view == v; });
     if (seen == line.observations.end()) continue;
     *px = seen->px;
     if (is_of_match(line)) *id = std::to_string(seen->segment);

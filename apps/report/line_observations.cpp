@@ -52,10 +52,10 @@ const EdgeSegment* segment_of(const ReportImages& images, const LineInImage& see
 
 /// An observation whose offset is not known, or the offset of one and its verdict.
 LineInView observed(const ReportImages& images,
-                   const ProjectionMatrix& camera,
-                   const io::Line& line,
-                   const std::optional<Segment3>& segment,
-                   const LineInImage& seen) {
+                    const ProjectionMatrix& camera,
+                    const io::Line& line,
+                    const std::optional<Segment3>& segment,
+                    const LineInImage& seen) {
   if (!segment || !line.covariance_m2 || !seen.px) return {ViewOfLine::kObserved, {}};
   const EdgeSegment* own = segment_of(images, seen);
   const auto offset = offset_of(camera, *segment, *line.covariance_m2, *seen.px,
@@ -94,7 +94,8 @@ std::vector<LineInImage> observations_of(const ReportPatch& patch, const io::Lin
     LineInImage& seen = found.emplace_back();
     seen.view = static_cast<std::size_t>(image - images.begin());
     seen.px = line.observations[i].px;
-    if (track != nullptr && track->observations[i].segment >= 0) seen.segment = track->observations[i].segment;
+    if (track != nullptr && track->observations[i].segment >= 0)
+      seen.segment = track->observations[i].segment;
   }
   return found;
 }

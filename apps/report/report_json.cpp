@@ -114,9 +114,9 @@ Json view_json(const ReportPatch& patch, std::size_t i) {
 Json pair_json(const ReportPair& pair, const evaluate::MatchingScore* score) {
   Json matches = Json::array();
   for (std::size_t i = 0; i < pair.matches.size(); ++i) {
-    const ScoredMatch& m = pair.matches[i].scored;
-    Json match{{"left", m.match.left},
-               {"right", m.match.right},
+    const Correspondence& m = pair.matches[i];
+    Json match{{"left", m.base},
+               {"right", m.other},
                {"score", rounded(m.score, 4)},
                {"votes", rounded(m.votes, 3)}};
     if (score != nullptr) match["verdict"] = evaluate::name(score->verdicts[i]);
@@ -124,7 +124,7 @@ Json pair_json(const ReportPair& pair, const evaluate::MatchingScore* score) {
   }
   Json missed = Json::array();
   if (score != nullptr) {
-    for (const LineMatch& m : score->missed) missed.push_back(Json::array({m.left, m.right}));
+    for (const Correspondence& m : score->missed) missed.push_back(Json::array({m.base, m.other}));
   }
   return {{"base", pair.views.base},
           {"search", pair.views.search},

@@ -15,7 +15,7 @@ double common_length(const Interval& a, const Interval& b) {
 
 /// The pairs of runs with the longest common parts; each run is used once.
 std::vector<std::pair<VisibleRun, VisibleRun>> paired(const std::vector<VisibleRun>& left,
-                                                  const std::vector<VisibleRun>& right) {
+                                                      const std::vector<VisibleRun>& right) {
   struct Pair {
     std::size_t i, k;
     double common_length;
@@ -41,8 +41,8 @@ std::vector<std::pair<VisibleRun, VisibleRun>> paired(const std::vector<VisibleR
 
 }  // namespace
 
-std::vector<io::ReferenceEdge> reference_matches(std::span<const ShownEdge> edges,
-                                                 const ReferenceOptions& options) {
+std::vector<ReferenceEdge> reference_matches(std::span<const ShownEdge> edges,
+                                             const ReferenceOptions& options) {
   std::vector<ShownEdge> candidates;
   for (const ShownEdge& edge : edges) {
     for (const auto& [left, right] : paired(edge.in_view(0), edge.in_view(1))) {
@@ -50,12 +50,12 @@ std::vector<io::ReferenceEdge> reference_matches(std::span<const ShownEdge> edge
       candidates.push_back({edge.kind, edge.rank, {left, right}});
     }
   }
-  std::vector<io::ReferenceEdge> matches;
+  std::vector<ReferenceEdge> matches;
   for (const ShownEdge& edge : without_duplicates(std::move(candidates))) {
-    matches.push_back({.id = std::to_string(matches.size()),
-                       .kind = edge.kind,
-                       .left = edge.runs[0].segment_px,
-                       .right = edge.runs[1].segment_px});
+    matches.push_back({.base = edge.runs[0].segment_px,
+                       .other = edge.runs[1].segment_px,
+                       .id = std::to_string(matches.size()),
+                       .kind = edge.kind});
   }
   return matches;
 }

@@ -15,9 +15,9 @@ namespace ridgeline::simulate {
 namespace {
 
 std::vector<VisibleRun> runs(const SurfaceOracle& oracle,
-                                std::size_t view,
-                                const Segment3& edge,
-                                const ReferenceOptions& options) {
+                             std::size_t view,
+                             const Segment3& edge,
+                             const ReferenceOptions& options) {
   const std::vector<Interval> runs = visible_runs(oracle, view, edge, options);
   const double visible_share = total_length(runs);
   std::vector<VisibleRun> result;
@@ -91,8 +91,7 @@ void measure_contrast(std::size_t view, const ImageWindow& village, std::span<Sh
 }
 
 bool is_clear(const VisibleRun& run, const ReferenceOptions& options) {
-  return length(run.segment_px) >= options.shortest_px &&
-         run.contrast >= options.least_contrast;
+  return length(run.segment_px) >= options.shortest_px && run.contrast >= options.least_contrast;
 }
 
 std::vector<ShownEdge> without_duplicates(std::vector<ShownEdge> edges) {

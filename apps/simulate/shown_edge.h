@@ -14,9 +14,8 @@ namespace ridgeline::simulate {
 /// A visible run of an edge in one view.
 struct VisibleRun {
   std::size_t view = 0;
-  Interval run;  ///< parameters of the edge's segment
-  Segment2
-      segment_px;  ///< its image, pixels of the file; all runs of an edge have one direction
+  Interval run;         ///< parameters of the edge's segment
+  Segment2 segment_px;  ///< its image, pixels of the file; all runs of an edge have one direction
   double visible_share = 0.0;  ///< share of the edge's length that the view sees, all runs together
   double contrast = 0.0;       ///< contrast_across() in the image; measure_contrast() sets it
 };
@@ -24,7 +23,7 @@ struct VisibleRun {
 /// A physical edge as the views show it.
 struct ShownEdge {
   std::string kind;
-  int rank = 0;                     ///< as PhysicalEdge::rank
+  int rank = 0;                  ///< as PhysicalEdge::rank
   std::vector<VisibleRun> runs;  ///< by view, then along the edge
 
   [[nodiscard]] std::vector<VisibleRun> in_view(std::size_t view) const;

@@ -136,8 +136,8 @@ std::vector<Sample> consensus(const std::vector<Sample>& samples) {
   return best;
 }
 
-/// Mean of the squared distances of both ends of `x` from the straight line of `observation`, pixels
-/// squared.
+/// Mean of the squared distances of both ends of `x` from the straight line of `observation`,
+/// pixels squared.
 double across_px2(const ImageObservation& observation, const Segment3& x) {
   const Eigen::Vector2d along = (observation.px.end - observation.px.start).normalized();
   double sum = 0.0;

@@ -114,11 +114,11 @@ std::optional<std::size_t> edge_of(const std::map<std::size_t, EdgeFit>& fits) {
 }
 
 MatchVerdict verdict_of_observation(std::size_t view,
-                                 const Segment2& segment,
-                                 const EdgesBeside& beside,
-                                 std::size_t edge,
-                                 const TrueEdge& truth,
-                                 const MatchScoringOptions& options) {
+                                    const Segment2& segment,
+                                    const EdgesBeside& beside,
+                                    std::size_t edge,
+                                    const TrueEdge& truth,
+                                    const MatchScoringOptions& options) {
   if (beside.contains(edge)) return MatchVerdict::kCorrect;
   if (!beside.empty()) return MatchVerdict::kFalse;
   bool is_shown = false;
@@ -153,8 +153,8 @@ TracksScore score_tracks(std::span<const std::vector<Segment2>> segments_by_view
     for (std::size_t s = 0; s < track.observations.size(); ++s) {
       const Observation& seen = track.observations[s];
       const MatchVerdict verdict =
-          own ? verdict_of_observation(seen.view, segments_by_view[seen.view][seen.segment], beside[s],
-                                    *own, edges[*own], options)
+          own ? verdict_of_observation(seen.view, segments_by_view[seen.view][seen.segment],
+                                       beside[s], *own, edges[*own], options)
               : MatchVerdict::kUnjudged;
       verdicts.push_back(verdict);
       if (verdict == MatchVerdict::kUnjudged) {

@@ -29,8 +29,8 @@ struct TracksScore {
 
 /// Judges tracks by true edges. A segment lies on an edge as in score_matches().
 /// The edge of a track is the one that it certainly lies on in most views; of several, the one that
-/// most of its observations lie on, then the first one. The observations of a track without an edge are
-/// unjudged (texture, shadows). Of the others
+/// most of its observations lie on, then the first one. The observations of a track without an edge
+/// are unjudged (texture, shadows). Of the others
 ///   correct   lie on a run of the track's edge;
 ///   unjudged  lie on no edge, in a view that has no run of the track's edge or where they continue
 ///             one beyond its visible part by at most its length;

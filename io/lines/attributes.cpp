@@ -112,7 +112,7 @@ std::vector<LineObservation> observations_of(const json& value) {
     if (!observation.is_array() || observation.size() != 5 || !observation[0].is_string())
       throw OtherShape{kRule};
     return LineObservation{observation[0].get<std::string>(),
-                        segment_of(json(observation.begin() + 1, observation.end()))};
+                           segment_of(json(observation.begin() + 1, observation.end()))};
   });
 }
 

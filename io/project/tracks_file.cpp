@@ -51,8 +51,9 @@ std::vector<Track> read_tracks(const std::string& path, std::span<const std::str
                     fmt::format("track {}, must be below the number of rows", number));
     }
     if (number >= tracks.size()) tracks.resize(number + 1);
-    tracks[number].observations.push_back({view_of(table, row, std::string(table.text(row, image)), images),
-                                   table.index(row, segment)});
+    tracks[number].observations.push_back(
+        {view_of(table, row, std::string(table.text(row, image)), images),
+         table.index(row, segment)});
   }
   for (std::size_t t = 0; t < tracks.size(); ++t) {
     const std::vector<Observation>& seen = tracks[t].observations;

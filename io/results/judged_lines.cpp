@@ -37,8 +37,8 @@ std::string class_of(const io::Line& line,
 
 /// The segments that the images of the patch show of a line.
 std::vector<ImageObservation> seen_segments(const io::Line& line,
-                                         const LocalFrame& frame,
-                                         const io::PatchFile& patch) {
+                                            const LocalFrame& frame,
+                                            const io::PatchFile& patch) {
   std::vector<io::LineObservation> observations = line.observations;
   if (observations.empty() && line.left_px && line.right_px)
     observations = {{patch.images[0].id, *line.left_px}, {patch.images[1].id, *line.right_px}};

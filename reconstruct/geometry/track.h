@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/geometry/line_match.h"
+#include "reconstruct/geometry/correspondence.h"
 #include "reconstruct/geometry/segment.h"
 #include "reconstruct/geometry/transformed.h"
 
@@ -20,8 +20,8 @@ struct Observation {
   friend auto operator<=>(const Observation&, const Observation&) = default;
 };
 
-/// A segment in one of several views, in ideal pixels: all of an extracted segment, a part of it, or
-/// one that was not extracted.
+/// A segment in one of several views, in ideal pixels: all of an extracted segment, a part of it,
+/// or one that was not extracted.
 struct ObservedSegment : Observation {
   Segment2 px;
 };
@@ -50,14 +50,14 @@ struct ViewPair {
 /// The matches of a pair of views.
 struct MatchedPair {
   ViewPair views;
-  std::vector<LineMatch> matches;
+  std::vector<Correspondence> matches;
 };
 
 /// The tracks of a pair of views: track i is match i.
 inline std::vector<Track> tracks_of_pair(const ViewPair& views,
-                                         std::span<const LineMatch> matches) {
-  return transformed(matches, [&](const LineMatch& m) {
-    return Track{{{views.base, m.left}, {views.search, m.right}}};
+                                         std::span<const Correspondence> matches) {
+  return transformed(matches, [&](const Correspondence& m) {
+    return Track{{{views.base, m.base}, {views.search, m.other}}};
   });
 }
 

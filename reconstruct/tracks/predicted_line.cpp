@@ -34,11 +34,11 @@ double chi_square(const PredictionResidual& o, const Eigen::Matrix2d& cov_px2) {
 }
 
 PredictionResidual residual_of(const UncertainSegment2& own,
-                    const Eigen::Vector2d& heights_m,
-                    const PredictedLine& p,
-                    const UncertainSegment2& seen,
-                    const std::array<double, 2>& at,
-                    double sigma_edge_px) {
+                               const Eigen::Vector2d& heights_m,
+                               const PredictedLine& p,
+                               const UncertainSegment2& seen,
+                               const std::array<double, 2>& at,
+                               double sigma_edge_px) {
   const Eigen::Vector2d n = normal(seen.segment);
   const Eigen::Vector2d u = along(seen.segment);
   const double own_length_px = length(own.segment);

@@ -49,11 +49,11 @@ double chi_square(const PredictionResidual& o, const Eigen::Matrix2d& cov_px2);
 /// @param at             two places as parameters of the prediction
 /// @param sigma_edge_px  of each place, beside those of the two segments
 PredictionResidual residual_of(const UncertainSegment2& own,
-                    const Eigen::Vector2d& heights_m,
-                    const PredictedLine& p,
-                    const UncertainSegment2& seen,
-                    const std::array<double, 2>& at,
-                    double sigma_edge_px);
+                               const Eigen::Vector2d& heights_m,
+                               const PredictedLine& p,
+                               const UncertainSegment2& seen,
+                               const std::array<double, 2>& at,
+                               double sigma_edge_px);
 
 /// The heights that observations give together, by least squares. They are not finite if the
 /// observations do not tell them.

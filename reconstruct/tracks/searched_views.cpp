@@ -27,9 +27,9 @@ SearchedViews::SearchedViews(const Scene& scene, std::span<const MatchedPair> pa
     });
   }
   for (const auto& [of_pair, matches] : pairs) {
-    for (const LineMatch& match : matches) {
-      views_[of_pair.base].mate[of_pair.search][static_cast<std::size_t>(match.left)] = match.right;
-      views_[of_pair.search].mate[of_pair.base][static_cast<std::size_t>(match.right)] = match.left;
+    for (const Correspondence& match : matches) {
+      views_[of_pair.base].mate[of_pair.search][static_cast<std::size_t>(match.base)] = match.other;
+      views_[of_pair.search].mate[of_pair.base][static_cast<std::size_t>(match.other)] = match.base;
     }
   }
 }
@@ -45,7 +45,8 @@ EndStretches SearchedViews::stretches(const Observation& from, std::size_t to) c
   return {transfer.stretch(s.start), transfer.stretch(s.end)};
 }
 
-Segment3 SearchedViews::object_segment(const Observation& s, const Eigen::Vector2d& heights_m) const {
+Segment3 SearchedViews::object_segment(const Observation& s,
+                                       const Eigen::Vector2d& heights_m) const {
   const EpipolarTransfer& transfer = views_[s.view].to[s.view];
   const Segment2& segment = line(s).segment;
   return {transfer.object_point(segment.start, heights_m[0]),

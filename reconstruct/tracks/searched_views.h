@@ -38,7 +38,8 @@ class SearchedViews {
   }
   [[nodiscard]] EndStretches stretches(const Observation& from, std::size_t to) const;
   /// The points that a view shows at the ends of a segment, at these heights.
-  [[nodiscard]] Segment3 object_segment(const Observation& s, const Eigen::Vector2d& heights_m) const;
+  [[nodiscard]] Segment3 object_segment(const Observation& s,
+                                        const Eigen::Vector2d& heights_m) const;
 
   enum class Look { kUnknown, kMatched, kMatchedElsewhere };
   /// Whether two segments were matched by their look, or one of them with another segment of that

@@ -178,7 +178,8 @@ class Search {
       const UncertainSegment2& line = views_.line({view, segment});
       const auto at = overlap(p, line.segment);
       if (!at) continue;
-      const PredictionResidual o = residual_of(own_, depth.heights_m, p, line, *at, options_.sigma_edge_px);
+      const PredictionResidual o =
+          residual_of(own_, depth.heights_m, p, line, *at, options_.sigma_edge_px);
       if (o.residual_px.cwiseAbs().maxCoeff() < reach_px) ++n_parallel;
       if (!is_free_({view, segment})) continue;
       const Eigen::Matrix2d cov_px2 = o.cov_with(depth);

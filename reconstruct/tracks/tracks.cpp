@@ -26,7 +26,8 @@ class TakenSegments {
     return is_taken_[s.view][static_cast<std::size_t>(s.segment)] == 0;
   }
   void take(const Track& track) {
-    for (const Observation& s : track.observations) is_taken_[s.view][static_cast<std::size_t>(s.segment)] = 1;
+    for (const Observation& s : track.observations)
+      is_taken_[s.view][static_cast<std::size_t>(s.segment)] = 1;
   }
 
  private:
@@ -92,9 +93,9 @@ void add_tracks_by_look(const Scene& scene,
                         std::vector<Track>& tracks) {
   std::map<Observation, std::size_t> aligned;  // track by segment
   for (const auto& [views, matches] : pairs) {
-    for (const LineMatch& match : matches) {
-      const Observation base{views.base, match.left};
-      const Observation mate{views.search, match.right};
+    for (const Correspondence& match : matches) {
+      const Observation base{views.base, match.base};
+      const Observation mate{views.search, match.other};
       const bool base_is_free = taken.is_free(base);
       const bool mate_is_free = taken.is_free(mate);
       if (!base_is_free && !mate_is_free) continue;
@@ -120,10 +121,12 @@ void order_observations(std::span<const MatchedPair> pairs, Track& track) {
   std::ranges::sort(track.observations);
   for (const MatchedPair& pair : pairs) {
     const auto base = std::ranges::find(track.observations, pair.views.base, &Observation::view);
-    const auto search = std::ranges::find(track.observations, pair.views.search, &Observation::view);
+    const auto search =
+        std::ranges::find(track.observations, pair.views.search, &Observation::view);
     if (base == track.observations.end() || search == track.observations.end()) continue;
     const std::array first{*base, *search};
-    std::erase_if(track.observations, [&](const Observation& s) { return s == first[0] || s == first[1]; });
+    std::erase_if(track.observations,
+                  [&](const Observation& s) { return s == first[0] || s == first[1]; });
     track.observations.insert(track.observations.begin(), first.begin(), first.end());
     return;
   }

@@ -50,7 +50,7 @@ void clip_to_partner(ObservedTrack& track, const Eigen::Matrix3d& partner_from_b
   const double to = std::min(1.0, high);
   if (!(to - from > kMinShare)) return;
   track.base().segment = {base.start + from * (base.end - base.start),
-                      base.start + to * (base.end - base.start)};
+                          base.start + to * (base.end - base.start)};
 }
 
 }  // namespace
@@ -94,7 +94,8 @@ TrackedLines tracked_lines(const TrackedSegments& tracked,
     const Track& track = tracked.tracks[i];
     ObservedTrack& line = lines.lines.emplace_back();
     for (std::size_t s = 0; s < track.observations.size(); ++s)
-      line.observations.push_back(observe(lines.frames, track.observations[s].view, observed[i][s], form));
+      line.observations.push_back(
+          observe(lines.frames, track.observations[s].view, observed[i][s], form));
     if (num_tracks[track.base()] > 1)
       clip_to_partner(line, lines.frames.fundamental(line.base().view, line.other().view));
   }

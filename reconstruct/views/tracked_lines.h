@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "reconstruct/geometry/correspondence.h"
 #include "reconstruct/geometry/epipolar.h"
-#include "reconstruct/geometry/line_match.h"
 #include "reconstruct/geometry/track.h"
 #include "reconstruct/geometry/uncertain/uncertain_segment.h"
 #include "reconstruct/views/conditioned_view.h"
@@ -31,8 +31,8 @@ struct TrackedSegments {
   std::array<double, 2> height_range_in_local_m{-1e5, 1e5};  ///< default: no limit on Earth
 };
 
-using TrackSegments =
-    std::vector<UncertainSegment2>;  ///< the segments of a track, in the order of Track::observations
+using TrackSegments = std::vector<UncertainSegment2>;  ///< the segments of a track, in the order of
+                                                       ///< Track::observations
 
 /// The segments of each track as they were extracted. Throws std::invalid_argument for an index out
 /// of range and for a track whose first two observations are not of two views.

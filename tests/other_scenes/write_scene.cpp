@@ -42,11 +42,11 @@ std::string reference_kind(const Edge& edge) {
 
 /// What the first two images show; an edge has the number of its true line.
 void write_matches(const std::string& path, const std::vector<TrueEdge>& edges) {
-  std::vector<io::ReferenceEdge> rows;
+  std::vector<ReferenceEdge> rows;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (!edges[i].base_px) continue;
     const auto& [left, right] = *edges[i].base_px;
-    rows.push_back({std::to_string(i), edges[i].edge.kind, left, right, false});
+    rows.push_back({left, right, false, std::to_string(i), edges[i].edge.kind});
   }
   io::write_reference_edges(path, rows);
 }

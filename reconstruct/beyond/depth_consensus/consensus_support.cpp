@@ -17,7 +17,8 @@ constexpr double kMinLengthWithEnds_px = 15.0;
 
 /// Whether a segment is long enough for its ends to tell a depth.
 bool has_telling_ends(const AlignedTrack& track) {
-  return track.lines.frames.of(track.line.base()).image.scale_px * length(track.line.base().segment) >=
+  return track.lines.frames.of(track.line.base()).image.scale_px *
+             length(track.line.base().segment) >=
          kMinLengthWithEnds_px;
 }
 
@@ -143,7 +144,8 @@ SupportOfTrack consensus_support(const TrackedLines& lines,
     const ImageConditioning& image = lines.frames.of(line.base()).image;
     const Segment2 seen_px{image.image_from_conditioned(line.base().segment.start),
                            image.image_from_conditioned(line.base().segment.end)};
-    return lines_by_consensus({lines, line}, neighbours, ends.heights_near(line.base().view, seen_px),
+    return lines_by_consensus({lines, line}, neighbours,
+                              ends.heights_near(line.base().view, seen_px),
                               surface_of(line.base().view, line.other().view), options);
   };
 }

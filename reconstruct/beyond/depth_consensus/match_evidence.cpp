@@ -62,8 +62,8 @@ bool may_cut(const AlignedTrack& track, const CandidatePoint& at, const Consensu
   if (at.ranked.weight < kMinCutWeight) return false;
   const auto x = track.places_of(at);
   for (std::size_t j = 0; j < 2; ++j) {
-    const double shortest =
-        options.min_cut_length_px / track.lines.frames.of(track.line.observations[j]).image.scale_px;
+    const double shortest = options.min_cut_length_px /
+                            track.lines.frames.of(track.line.observations[j]).image.scale_px;
     const Segment2& segment = track.line.observations[j].segment;
     const double to_end = std::min((x[j] - segment.start).norm(), (x[j] - segment.end).norm());
     if (!(distance(segment, x[j]) < 1e-9 && to_end >= shortest)) return false;
@@ -78,11 +78,13 @@ AlignedTrack::AlignedTrack(const TrackedLines& all, const ObservedTrack& observe
 
 std::array<Eigen::Vector2d, 2> AlignedTrack::ends(int which) const {
   const auto end = [](const Segment2& s, bool at_start) { return at_start ? s.start : s.end; };
-  return {end(line.base().segment, which == 0), end(line.other().segment, (which == 0) != runs_back)};
+  return {end(line.base().segment, which == 0),
+          end(line.other().segment, (which == 0) != runs_back)};
 }
 
 std::array<Eigen::Vector2d, 2> AlignedTrack::places_of(const CandidatePoint& point) const {
-  return {crossing_in_view(lines, line.base(), point), crossing_in_view(lines, line.other(), point)};
+  return {crossing_in_view(lines, line.base(), point),
+          crossing_in_view(lines, line.other(), point)};
 }
 
 std::optional<UncertainPoint3> point_in_object(const AlignedTrack& track,
@@ -91,8 +93,8 @@ std::optional<UncertainPoint3> point_in_object(const AlignedTrack& track,
   std::vector<PointObservation> observations;
   for (std::size_t j = 0; j < 2; ++j) {
     const ConditionedView& view = track.lines.frames.of(track.line.observations[j]);
-    observations.push_back({view.image_from_object,
-                            end_in_image(track.line.observations[j], x[j], sigma_px / view.image.scale_px)});
+    observations.push_back({view.image_from_object, end_in_image(track.line.observations[j], x[j],
+                                                                 sigma_px / view.image.scale_px)});
   }
   const auto estimated = estimate_point(observations);
   if (!estimated || !plausible(track.lines, track.line, estimated->point.mean)) return std::nullopt;

@@ -48,10 +48,10 @@ void SurfaceDepth::add_station(double parameter, double d_px, double sigma_px) {
   const Segment2& segment = line_.base().segment;
   const Eigen::Vector2d x = point_at(segment, parameter);
   const Eigen::Vector3d on_surface = surface_.rectification.point_in_local(rectified(x), d_px);
-  stations_.push_back(
-      {parameter, d_px, sigma_px,
-       plane_across(lines_.frames.of(line_.base()).image_from_object, x, segment.end - segment.start),
-       lines_.frames.object.conditioned_from_local(on_surface)});
+  stations_.push_back({parameter, d_px, sigma_px,
+                       plane_across(lines_.frames.of(line_.base()).image_from_object, x,
+                                    segment.end - segment.start),
+                       lines_.frames.object.conditioned_from_local(on_surface)});
 }
 
 double SurfaceDepth::misfit(const Station& station, const DepthLine& line) const {

@@ -63,7 +63,7 @@ std::optional<CandidatePoint> candidate_point(const TrackedLines& lines,
   const bool base_shows_both = both.seen[0].line.view == line.base().view;
   candidate.ranked.parameter = parameter_along(
       line.base().segment, base_shows_both ? Eigen::Vector2d(both.x[0].mean.hnormalized())
-                                       : crossing_in_view(lines, line.base(), candidate));
+                                           : crossing_in_view(lines, line.base(), candidate));
   return candidate;
 }
 
@@ -72,7 +72,8 @@ std::optional<CandidatePoint> candidate_point(const TrackedLines& lines,
 Eigen::Vector2d crossing_in_view(const TrackedLines& lines,
                                  const ObservedLine& seen,
                                  const CandidatePoint& point) {
-  for (const ObservedLine& other : lines.lines[static_cast<std::size_t>(point.ranked.neighbour)].observations) {
+  for (const ObservedLine& other :
+       lines.lines[static_cast<std::size_t>(point.ranked.neighbour)].observations) {
     if (other.view == seen.view) return SeenTogether{seen, other}.crossing();
   }
   return (lines.frames.of(seen).image_from_object * point.estimated.point.mean).hnormalized();

@@ -82,8 +82,8 @@ Endpoint end_of_two_views(std::vector<Reach> by_view) {
   return by_view[by_view.size() / 2].end;
 }
 
-/// The part of a line with three observations or more that two views show; nothing if no part is shown
-/// by two.
+/// The part of a line with three observations or more that two views show; nothing if no part is
+/// shown by two.
 std::optional<UncertainSegment3> part_of_two_views(const ConditionedViews& frames,
                                                    const ObservedTrack& track,
                                                    const UncertainLine3& line,
@@ -141,7 +141,8 @@ bool assign_geometry(const ConditionedViews& frames,
                      const UncertainLine3& estimate,
                      double max_end_sigma_m,
                      ReconstructedLine& result) {
-  const auto views = transformed(track.observations, [&](const ObservedLine& s) { return frames.of(s); });
+  const auto views =
+      transformed(track.observations, [&](const ObservedLine& s) { return frames.of(s); });
   const auto base = endpoints(estimate, views[0], track.base(), views);
   if (!base) return false;
   const auto partner = endpoints(estimate, views[1], track.other(), views);

@@ -28,8 +28,8 @@ double epipolar_angle_rad(const ConditionedViews& frames, const ObservedTrack& t
       if (lines[i].view == lines[k].view) continue;
       const std::array cameras{frames.of(lines[i]).image_from_object,
                                frames.of(lines[k]).image_from_object};
-      largest = std::max(largest, ridgeline::epipolar_angle_rad(cameras, lines[i].segment,
-                                                                lines[k].segment));
+      largest = std::max(
+          largest, ridgeline::epipolar_angle_rad(cameras, lines[i].segment, lines[k].segment));
     }
   }
   return largest;
@@ -156,7 +156,9 @@ std::vector<ReconstructedLine> direct_lines(const TrackedLines& lines,
   std::vector<ReconstructedLine> results(tracks.size());
   tbb::parallel_for(std::size_t{0}, tracks.size(), [&](std::size_t i) {
     ReconstructedLine& result = results[i];
-    result.observations = transformed(tracks[i].observations, [](const Observation& s) { return ObservedSegment{s, {}}; });
+    result.observations = transformed(tracks[i].observations, [](const Observation& s) {
+      return ObservedSegment{s, {}};
+    });
     classify(lines, i, options, result);
     reconstruct_direct(lines, observed[i], max_end_sigma_m, result);
   });

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "reconstruct/geometry/correspondence.h"
 #include "reconstruct/geometry/epipolar.h"
-#include "reconstruct/geometry/line_match.h"
 #include "reconstruct/geometry/segment.h"
 #include "reconstruct/geometry/uncertain/pluecker.h"
 #include "reconstruct/geometry/uncertain/uncertain_segment.h"
@@ -70,7 +70,8 @@ struct ReconstructedLine : TrackOf<ObservedSegment> {
   Status status = Status::kNoIntersection;
   bool between_partner_ends =
       false;  ///< whether segment_in_local has the ends of the partner segment
-  /// The largest angle of all pairs of its observations, of each pair the smaller one of both images.
+  /// The largest angle of all pairs of its observations, of each pair the smaller one of both
+  /// images.
   double epipolar_angle_rad = 0.0;
   /// The line in m, as assign_geometry() chooses its ends.
   std::optional<Segment3> segment_in_local;
@@ -115,8 +116,8 @@ struct EstimateExtensions {
 
 /// The 3D lines of tracks of image segments (Ok et al. 2011, section 3), in the order of the
 /// tracks. A not_aligned line is the intersection of the projection planes, or adjusted to those of
-/// three observations and more. With Method::kJoint, an aligned line is adjusted to these planes and
-/// to the best artificial points made with the lines that it has a pair connection with. With
+/// three observations and more. With Method::kJoint, an aligned line is adjusted to these planes
+/// and to the best artificial points made with the lines that it has a pair connection with. With
 /// Method::kNetwork, all these lines are then adjusted together (adjust_network()). If a base
 /// segment belongs to several tracks, each line gets the part that its partner shows. There is one
 /// line per track, or several for an aligned track that shows several lines by agree_on_depth().

@@ -132,7 +132,8 @@ TEST(ImageField, ExpectsNothingBeyondItsBorder) {
 
 TEST(ImageField, OfAnImageSaysNothingOfALineThatIsNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(unobserved({{nan, 0.0, 0.0}, {nan, 0.0, 0.0}}, level(20.0, 10.0)), ViewOfLine::kOutside);
+  EXPECT_EQ(unobserved({{nan, 0.0, 0.0}, {nan, 0.0, 0.0}}, level(20.0, 10.0)),
+            ViewOfLine::kOutside);
 }
 
 }  // namespace

@@ -107,8 +107,7 @@ TEST(MovedLine, OfAFalseMatchNeedsImagesTheirHeightsAndSteepRays) {
   line.images->height_range_m = {0.0, 12.0};  // 8 and 9 m become 13 and 14 m
   EXPECT_FALSE(moved_line(line, DecoyKind::kMatch, 5.0));
   EXPECT_TRUE(moved_line(line, DecoyKind::kMatch, 2.0));
-  line.images->base().image_from_local =
-      camera_above(-6000.0, 5.0);  // 12 m aside per metre down
+  line.images->base().image_from_local = camera_above(-6000.0, 5.0);  // 12 m aside per metre down
   EXPECT_FALSE(moved_line(line, DecoyKind::kMatch, 2.0));
   EXPECT_FALSE(moved_line(line_from({0, 0, 1}, {5, 0, 1}), DecoyKind::kMatch, 2.0));
   EXPECT_THROW(moved_line(line, DecoyKind::kElsewhere, 20.0), std::invalid_argument);

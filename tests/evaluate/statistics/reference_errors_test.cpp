@@ -157,9 +157,9 @@ TEST(ReferenceErrors, LinesOfSeveralPairsAreEachComparedInTheirOwnImages) {
   std::vector<JudgedLine> lines{reconstructed(kRidge, kRidge, "aligned"),
                                 reconstructed(kEave, kEave, "aligned")};
   const std::array<ProjectionMatrix, 2> other{camera_at(40.0), camera_at(250.0)};
-  lines[1].images = ImageEvidence{
-      {{{other[0], project(other[0], kEave)}, {other[1], project(other[1], kEave)}}},
-      {-10.0, 30.0}};
+  lines[1].images =
+      ImageEvidence{{{{other[0], project(other[0], kEave)}, {other[1], project(other[1], kEave)}}},
+                    {-10.0, 30.0}};
   const auto found =
       reference_of_each(lines, std::vector<ReferenceLine>{{kEave, "eave"}, {kRidge, "ridge"}});
   EXPECT_EQ(found, (std::vector<std::optional<std::size_t>>{1, 0}));

@@ -29,7 +29,8 @@ TEST_F(TracksFile, HoldsTheObservationsInTheirOrder) {
   write_tracks(path(), tracks, kTrackImages);
   const std::vector<Track> read = read_tracks(path(), kTrackImages);
   ASSERT_EQ(read.size(), tracks.size());
-  for (std::size_t t = 0; t < tracks.size(); ++t) EXPECT_EQ(read[t].observations, tracks[t].observations);
+  for (std::size_t t = 0; t < tracks.size(); ++t)
+    EXPECT_EQ(read[t].observations, tracks[t].observations);
 }
 
 TEST_F(TracksFile, IsRefusedWithRowAndRule) {

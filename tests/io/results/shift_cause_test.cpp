@@ -99,7 +99,7 @@ TEST(Moved, LinesKeepTheirPlaceInTheirImages) {
   evaluate::ImageEvidence evidence;
   for (std::size_t i = 0; i < 2; ++i)
     evidence.observations.push_back({vertical_pair(0.1, false)->images[i].image_from_world,
-                                  {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()}});
+                                     {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()}});
   evidence.height_range_m = {0.0, 20.0};
   line.images = evidence;
   const Eigen::Vector3d by_m(0.5, -1.0, 45.0);

@@ -16,11 +16,12 @@ const Eigen::Vector2d kTrueHeights_m(4.0, 5.0);
 
 /// What view `view` shows of the line of view 0 at these heights.
 PredictionResidual observed(const SearchedViews& views,
-                     std::size_t view,
-                     const Eigen::Vector2d& heights_m,
-                     const std::array<double, 2>& at = {0.0, 1.0}) {
-  return residual_of(views.line({0, 0}), heights_m, predict(views.stretches({0, 0}, view), heights_m),
-                 views.line({view, 0}), at, 0.3);
+                            std::size_t view,
+                            const Eigen::Vector2d& heights_m,
+                            const std::array<double, 2>& at = {0.0, 1.0}) {
+  return residual_of(views.line({0, 0}), heights_m,
+                     predict(views.stretches({0, 0}, view), heights_m), views.line({view, 0}), at,
+                     0.3);
 }
 
 test::BlockScene scene_of_one_line() {

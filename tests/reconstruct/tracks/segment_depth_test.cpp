@@ -116,7 +116,8 @@ TEST(ProposeTrack, LeavesOutTheSegmentThatAllOtherViewsContradict) {
   block.show(2, 1, 0.0, 1.0);
   const auto track = proposed(block, {0, 0});
   ASSERT_TRUE(track);
-  EXPECT_TRUE(std::ranges::none_of(track->observations, [](const Observation& s) { return s.view == 2; }));
+  EXPECT_TRUE(
+      std::ranges::none_of(track->observations, [](const Observation& s) { return s.view == 2; }));
   EXPECT_NEAR(track->depth.heights_m[0], line.start.z(), kHeight_m);
   EXPECT_NEAR(track->depth.heights_m[1], line.end.z(), kHeight_m);
 }
@@ -151,7 +152,8 @@ TEST(ProposeTrack, TakesFreeSegmentsAlone) {
   const auto track = proposed(block, {0, 0}, {}, [](const Observation& s) { return s.view != 3; });
   ASSERT_TRUE(track);
   EXPECT_EQ(track->observations.size(), 4);
-  EXPECT_TRUE(std::ranges::none_of(track->observations, [](const Observation& s) { return s.view == 3; }));
+  EXPECT_TRUE(
+      std::ranges::none_of(track->observations, [](const Observation& s) { return s.view == 3; }));
 }
 
 TEST(ProposeTrack, IsNothingOutsideTheHeightsOrForAWall) {

@@ -19,8 +19,8 @@ namespace {
 
 using test::BlockScene;
 
-/// Expects that all observations of each track show one line, and that each segment is in one track at
-/// most.
+/// Expects that all observations of each track show one line, and that each segment is in one track
+/// at most.
 void expect_true_tracks(const BlockScene& block, const std::vector<Track>& tracks) {
   std::set<Observation> taken;
   for (const Track& track : tracks) {
@@ -38,7 +38,8 @@ std::vector<std::vector<std::size_t>> sizes_by_line(const BlockScene& block,
                                                     const std::vector<Track>& tracks) {
   std::vector<std::vector<std::size_t>> sizes(block.lines.size());
   for (const Track& track : tracks)
-    sizes[static_cast<std::size_t>(block.line_at(track.base()))].push_back(track.observations.size());
+    sizes[static_cast<std::size_t>(block.line_at(track.base()))].push_back(
+        track.observations.size());
   return sizes;
 }
 
@@ -184,7 +185,8 @@ TEST(TracksOf, DoesNotDependOnTheNumberOfThreads) {
   const std::vector<Track> of_one = with_threads(1);
   const std::vector<Track> of_four = with_threads(4);
   ASSERT_EQ(of_four.size(), of_one.size());
-  for (std::size_t i = 0; i < of_one.size(); ++i) EXPECT_EQ(of_four[i].observations, of_one[i].observations);
+  for (std::size_t i = 0; i < of_one.size(); ++i)
+    EXPECT_EQ(of_four[i].observations, of_one[i].observations);
 }
 
 TEST(TracksOf, OfLinesInDisorderHasEachSegmentOnce) {

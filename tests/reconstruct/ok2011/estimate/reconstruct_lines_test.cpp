@@ -318,7 +318,7 @@ TEST(ReconstructLines, RejectsWrongInput) {
     return std::string("accepted");
   };
   LineGroup group = good;
-  group.matches[1].right = 4;
+  group.matches[1].other = 4;
   EXPECT_EQ(rejected(group), "track: segment = 4, must be in [0, 4)");
   group = good;
   group.connections[0].k = -1;
