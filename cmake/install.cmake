@@ -11,7 +11,7 @@ function(install_libraries export)
   install(EXPORT ${export} NAMESPACE ridgeline:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ridgeline COMPONENT dev)
 endfunction()
 install_libraries(ridgelineLazTargets ridgeline_geometry ridgeline_laz)
-install_libraries(ridgelineTargets ridgeline_views ridgeline_extract ridgecorrespondence ridgeline_chio ridgeline_estimate
+install_libraries(ridgelineTargets ridgeline_views ridgeline_extract ridgeline_match ridgeline_chio ridgeline_estimate
   ridgeline_beyond ridgeline_tracks ridgeline_reconstruct ridgeline_io ridgeline_evaluate ridgeline_results)
 install(TARGETS ridgeline DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(DIRECTORY sample_data DESTINATION ${CMAKE_INSTALL_DATADIR}/ridgeline COMPONENT program PATTERN make.sh EXCLUDE)

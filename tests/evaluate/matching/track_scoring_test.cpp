@@ -81,7 +81,7 @@ TEST(ScoreTracks, RefusesWhatDoesNotExist) {
   const TrackScene s;
   EXPECT_THROW(score_tracks(s.segments, {{{{{3, 0}}}}}, s.edges), std::invalid_argument);
   EXPECT_THROW(score_tracks(s.segments, {{{{{0, 3}}}}}, s.edges), std::invalid_argument);
-  EXPECT_THROW(score_tracks(s.segments, {}, std::vector<TrueEdge>{{{{0, at_y(0)}}, false}}),
+  EXPECT_THROW(score_tracks(s.segments, {}, std::vector<TrueEdge>{{{{{0, -1}, at_y(0)}}, false}}),
                std::invalid_argument);
 }
 

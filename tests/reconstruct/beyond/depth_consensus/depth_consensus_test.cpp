@@ -190,7 +190,7 @@ struct LoneLine {
         condition(kScene.cameras, std::array{std::vector{images[0]}, std::vector{images[1]}});
     ObservedTrack& observed = lines.lines.emplace_back();
     for (std::size_t j = 0; j < 2; ++j) {
-      observed.push_back(
+      observed.observations.push_back(
           observe(lines.frames, j, test::exact(images[j], {}), LineCovariance::kEq1));
     }
   }

@@ -44,7 +44,7 @@ TEST_F(PropagateHeights, FindsTheLineThatMeetsAMatchedOne) {
 }
 
 TEST_F(PropagateHeights, LeavesLinesThatDoNotLookAlike) {
-  EXPECT_TRUE(from({{{1, 1}, 1.0, 1.0}, {{3, 3}, 1.0, 1.0}}, 1.0).empty());
+  EXPECT_TRUE(from({{1, 1, 1.0, 1.0}, {3, 3, 1.0, 1.0}}, 1.0).empty());
 }
 
 }  // namespace

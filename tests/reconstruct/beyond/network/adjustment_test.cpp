@@ -133,8 +133,8 @@ NetworkLine contradictory_line(const ConditionedScene& scene, test::Random& rand
   const Eigen::Vector3d moved_m(apart_m(3.0), apart_m(3.0), apart_m(5.0));
   const Segment3 other{one.start + moved_m, one.end - moved_m};
   NetworkLine line = observed_lines(scene, {one}, random)[0];
-  for (const ObservedLine& seen : scene.observe(test::exact_pair(scene.scene, other)))
-    line.track.push_back(seen);
+  for (const ObservedLine& seen : scene.observe(test::exact_pair(scene.scene, other)).observations)
+    line.track.observations.push_back(seen);
   return line;
 }
 
