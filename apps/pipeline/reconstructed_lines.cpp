@@ -96,7 +96,7 @@ io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
     out.segment_in_world = in_world(line.segment_in_local, scene.frame);
     out.method = reconstruct::name(method);
     out.line_class = reconstruct::name(line.line_class);
-    out.status = reconstruct::name(line.status);
+    out.status = reconstruct::status_name(line);
     out.epipolar_angle_deg = line.epipolar_angle_rad * 180.0 / std::numbers::pi;
     set_pair(line, out);
     if (scene.views.size() > 2) {

@@ -65,7 +65,7 @@ void mark_unconfirmed(const Scene& scene,
     for (std::size_t view = 0; view < scene.views.size(); ++view) {
       if (seen.contains(view) || !is_expected(scene, view, *line.segment_in_local, surfaces))
         continue;
-      line.status = Status::kUnconfirmed;
+      line.confirmed = false;
       break;
     }
   }

@@ -145,7 +145,8 @@ void adjust_together(const TrackedLines& lines,
         !is_better_known(line, adjusted[i].n_meetings, *members.results[i])) {
       continue;
     }
-    line.status = Status::kNetwork;
+    line.determination = Determination::kNetwork;
+    line.failure.reset();
     line.n_meetings = adjusted[i].n_meetings;
     line.omega = adjusted[i].omega;
     line.points.clear();

@@ -130,7 +130,8 @@ ReconstructedLine line_of(const StereoPair& pair,
   const PointOfPlanes start = point_of_planes(r, a.plane, b.plane, crease.start);
   const PointOfPlanes end = point_of_planes(r, a.plane, b.plane, crease.end);
   ReconstructedLine line;
-  line.status = Status::kPlanes;
+  line.determination = Determination::kPlanes;
+  line.failure.reset();
   line.segment_in_local = {start.x_in_local, end.x_in_local};
   line.covariance_m2 =
       covariance(start, end, a, b, length(*line.segment_in_local) / length(crease));

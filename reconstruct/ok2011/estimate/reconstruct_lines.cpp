@@ -72,7 +72,8 @@ void reconstruct_direct(const TrackedLines& lines,
   }
   const auto estimate = line_of_planes(line);
   if (!estimate || !assign_geometry(lines.frames, line, *estimate, max_end_sigma_m, result)) return;
-  result.status = Status::kDirect;
+  result.determination = Determination::kDirect;
+  result.failure.reset();
   result.direct_sigma_z_m = largest_sigma_z_m(*result.covariance_m2);
 }
 
@@ -88,17 +89,17 @@ UsedPoint used_point(const CandidatePoint& candidate, const ObjectConditioning& 
           .region = region(ranked.parameter)};
 }
 
-Status joint_status(const AdjustedLine& adjusted, const LineSupport& support) {
-  if (!adjusted.full_rank) return Status::kRankDeficient;
-  if (!adjusted.converged) return Status::kNotConverged;
-  if (support.on_surface && !support.points_fix_direction) return Status::kSurface;
-  if (support.sigma_slope && !support.points_fix_direction) return Status::kHorizontal;
-  if (!support.ends.empty() && !support.on_surface) return Status::kSegmentEnds;
-  return support.points.size() >= 2 ? Status::kJoint : Status::kOnePoint;
+Determination joint_determination(const AdjustedLine& adjusted, const LineSupport& support) {
+  if (!adjusted.full_rank) return Determination::kRankDeficient;
+  if (!adjusted.converged) return Determination::kNotConverged;
+  if (support.on_surface && !support.points_fix_direction) return Determination::kSurface;
+  if (support.sigma_slope && !support.points_fix_direction) return Determination::kHorizontal;
+  if (!support.ends.empty() && !support.on_surface) return Determination::kSegmentEnds;
+  return support.points.size() >= 2 ? Determination::kJoint : Determination::kOnePoint;
 }
 
-void give_up(Status why, ReconstructedLine& result) {
-  result.status = why;
+void give_up(Failure why, ReconstructedLine& result) {
+  result.failure = why;
   result.segment_in_local.reset();
   result.covariance_m2.reset();
   result.partner_segment_in_local.reset();
@@ -110,9 +111,9 @@ void reconstruct_joint(const TrackedLines& lines,
                        const LineSupport& support,
                        double max_end_sigma_m,
                        ReconstructedLine& result) {
-  if (support.ambiguous) return give_up(Status::kAmbiguousDepth, result);
+  if (support.ambiguous) return give_up(Failure::kAmbiguousDepth, result);
   if (support.points.empty() && support.ends.empty()) {
-    if (result.segment_in_local) result.status = Status::kNoPoints;
+    if (result.segment_in_local) result.determination = Determination::kNoPoints;
     return;
   }
   std::vector<UncertainPoint3> points = support.ends;
@@ -123,9 +124,10 @@ void reconstruct_joint(const TrackedLines& lines,
   const auto adjusted = adjust_line(planes_of(support.track), points, support.sigma_slope);
   if (!adjusted ||
       !assign_geometry(lines.frames, support.track, adjusted->line, max_end_sigma_m, result)) {
-    return give_up(Status::kNoIntersection, result);
+    return give_up(Failure::kNoIntersection, result);
   }
-  result.status = joint_status(*adjusted, support);
+  result.determination = joint_determination(*adjusted, support);
+  result.failure.reset();
   result.omega = adjusted->omega;
   if (!adjusted->full_rank) result.covariance_m2.reset();
 }
@@ -237,12 +239,14 @@ const char* name(LineClass line_class) {
   return line_class == LineClass::kAligned ? "aligned" : "not_aligned";
 }
 
-const char* name(Status status) {
-  constexpr std::array kNames{
-      "direct",          "joint",     "one_point",      "surface",       "segment_ends",
-      "horizontal",      "no_points", "rank_deficient", "not_converged", "ambiguous_depth",
-      "no_intersection", "network",   "planes",         "unconfirmed"};
-  return kNames.at(static_cast<std::size_t>(status));
+const char* status_name(const ReconstructedLine& line) {
+  constexpr std::array kFailures{"ambiguous_depth", "no_intersection"};
+  constexpr std::array kDeterminations{"direct",        "joint",      "one_point", "surface",
+                                       "segment_ends",  "horizontal", "no_points", "rank_deficient",
+                                       "not_converged", "network",    "planes"};
+  if (line.failure) return kFailures.at(static_cast<std::size_t>(*line.failure));
+  if (!line.confirmed) return "unconfirmed";
+  return kDeterminations.at(static_cast<std::size_t>(line.determination));
 }
 
 std::vector<ReconstructedLine> reconstruct_lines(const TrackedSegments& tracked,

@@ -28,8 +28,8 @@ namespace ridgeline::reconstruct {
 enum class LineClass : std::uint8_t { kNotAligned, kAligned };
 const char* name(LineClass line_class);  ///< "not_aligned" | "aligned"
 
-/// How a line came about.
-enum class Status : std::uint8_t {
+/// How a line was determined.
+enum class Determination : std::uint8_t {
   kDirect,         ///< intersection of the projection planes
   kJoint,          ///< planes and two or three points, and horizontality if the points agree on it
   kOnePoint,       ///< planes and one point: the direction still rests on the planes alone
@@ -40,13 +40,15 @@ enum class Status : std::uint8_t {
   kRankDeficient,  ///< planes and points leave a direction free: one of many lines, no covariance
   /// The adjustment still moved after its last pass; the line is that of this pass.
   kNotConverged,
-  kAmbiguousDepth,  ///< no depth explains the line clearly better than another: no segment
-  kNoIntersection,  ///< coincident planes, or a line at infinity or behind a camera: no segment
-  kNetwork,         ///< adjusted with all lines that it meets
-  kPlanes,          ///< intersection of two surfaces where no edge was matched
-  kUnconfirmed,     ///< two views show it, and a further one that should does not
+  kNetwork,  ///< adjusted with all lines that it meets
+  kPlanes,   ///< intersection of two surfaces where no edge was matched
 };
-const char* name(Status status);  ///< "direct", "one_point", ... as in the files
+
+/// Why a line has no segment in space.
+enum class Failure : std::uint8_t {
+  kAmbiguousDepth,  ///< no depth explains the line clearly better than another
+  kNoIntersection,  ///< coincident planes, or a line at infinity or behind a camera
+};
 
 /// An artificial point that entered the adjustment.
 struct UsedPoint {
@@ -67,7 +69,10 @@ struct ReconstructedLine : TrackOf<ObservedSegment> {
   int part = 0;
   int n_meetings = 0;  ///< number of other lines that it meets, accepted by `network`
   LineClass line_class = LineClass::kNotAligned;
-  Status status = Status::kNoIntersection;
+  Determination determination = Determination::kDirect;  ///< of a line with a segment
+  std::optional<Failure> failure = Failure::kNoIntersection;
+  /// False: two views show the line, and a further one that should show it does not.
+  bool confirmed = true;
   bool between_partner_ends =
       false;  ///< whether segment_in_local has the ends of the partner segment
   /// The largest angle of all pairs of its observations, of each pair the smaller one of both
@@ -85,6 +90,10 @@ struct ReconstructedLine : TrackOf<ObservedSegment> {
   /// the conditions of the line's own images count.
   double omega = 0.0;
 };
+
+/// The status of a line as in the files: its failure, "unconfirmed", or how it was determined
+/// ("direct", "one_point", ...).
+const char* status_name(const ReconstructedLine& line);
 
 /// A line by `joint` with its support beside its planes.
 struct JointLine {

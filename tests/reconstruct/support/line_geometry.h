@@ -14,7 +14,7 @@ namespace ridgeline::test {
 template <class Value>
 const Value& value_of(const std::optional<Value>& value,
                       const reconstruct::ReconstructedLine& line) {
-  if (!value) throw std::logic_error(std::string("a line without geometry: ") + name(line.status));
+  if (!value) throw std::logic_error(std::string("a line without geometry: ") + status_name(line));
   return *value;
 }
 
