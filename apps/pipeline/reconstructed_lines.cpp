@@ -41,7 +41,7 @@ std::string line_id(const reconstruct::ReconstructedLine& line, std::size_t numb
 /// What the first two images of the patch, its pair, show of the line.
 void set_pair(const reconstruct::ReconstructedLine& line, io::Line& out) {
   for (const auto& [view, id, px] :
-       {std::tuple(0U, &out.left_id, &out.left_px), std::tuple(1U, &out.right_id, &out.right_px)}) {
+       {std::tuple(0U, &out.base_id, &out.base_px), std::tuple(1U, &out.other_id, &out.other_px)}) {
     const auto seen = std::ranges::find_if(
         line.observations, [&, v = view](const ObservedSegment& s) { return s.view == v; });
     if (seen == line.observations.end()) continue;
@@ -59,8 +59,8 @@ std::string class_by_base_pair(const reconstruct::ReconstructedLine& line,
   const std::array<ProjectionMatrix, 2> cameras{scene.views[0].image_from_local,
                                                 scene.views[1].image_from_local};
   std::optional<double> angle_rad;
-  if (out.left_px && out.right_px) {
-    angle_rad = epipolar_angle_rad(cameras, *out.left_px, *out.right_px);
+  if (out.base_px && out.other_px) {
+    angle_rad = epipolar_angle_rad(cameras, *out.base_px, *out.other_px);
   } else if (line.segment_in_local) {
     angle_rad = epipolar_angle_rad(cameras, *line.segment_in_local);
   }

@@ -39,8 +39,8 @@ std::vector<LineInImage> observations_of_pair(const io::Line& line) {
     const std::optional<int> segment = index_of(id);
     if (segment || px) found.push_back({view, segment, px});
   };
-  add(0, line.left_id, line.left_px);
-  add(1, line.right_id, line.right_px);
+  add(0, line.base_id, line.base_px);
+  add(1, line.other_id, line.other_px);
   return found;
 }
 

@@ -28,14 +28,14 @@ constexpr std::array kTextAttributes{TextAttribute{"id", &Line::id},
                                      TextAttribute{"kind", &Line::kind},
                                      TextAttribute{"building", &Line::building},
                                      TextAttribute{"status", &Line::status},
-                                     TextAttribute{"left_id", &Line::left_id},
-                                     TextAttribute{"right_id", &Line::right_id}};
+                                     TextAttribute{"left_id", &Line::base_id},
+                                     TextAttribute{"right_id", &Line::other_id}};
 
-constexpr std::array kSegmentAttributes{SegmentAttribute{"left_px", &Line::left_px},
-                                        SegmentAttribute{"right_px", &Line::right_px}};
+constexpr std::array kSegmentAttributes{SegmentAttribute{"left_px", &Line::base_px},
+                                        SegmentAttribute{"right_px", &Line::other_px}};
 
-constexpr std::array kNumberAttributes{NumberAttribute{"visible_left", &Line::visible_left},
-                                       NumberAttribute{"visible_right", &Line::visible_right}};
+constexpr std::array kNumberAttributes{NumberAttribute{"visible_left", &Line::visible_base},
+                                       NumberAttribute{"visible_right", &Line::visible_other}};
 
 bool is_empty(const json& value) {
   return value.is_null() || (value.is_string() && value.get_ref<const std::string&>().empty());

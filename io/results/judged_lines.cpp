@@ -39,11 +39,8 @@ std::string class_of(const io::Line& line,
 std::vector<ImageObservation> seen_segments(const io::Line& line,
                                             const LocalFrame& frame,
                                             const io::PatchFile& patch) {
-  std::vector<io::LineObservation> observations = line.observations;
-  if (observations.empty() && line.left_px && line.right_px)
-    observations = {{patch.images[0].id, *line.left_px}, {patch.images[1].id, *line.right_px}};
   std::vector<ImageObservation> seen;
-  for (const io::LineObservation& s : observations) {
+  for (const io::LineObservation& s : observations_of(line, patch)) {
     const auto image = std::ranges::find(patch.images, s.image, &io::PatchImage::id);
     if (image == patch.images.end()) continue;
     seen.push_back({image_from_local(image->image_from_world, frame.origin_m), s.px});
@@ -132,6 +129,11 @@ std::vector<Segment3> segments_of(const std::vector<evaluate::ReferenceLine>& re
 
 }  // namespace
 
+std::vector<io::LineObservation> observations_of(const io::Line& line, const io::PatchFile& patch) {
+  if (!line.observations.empty() || !line.base_px || !line.other_px) return line.observations;
+  return {{patch.images[0].id, *line.base_px}, {patch.images[1].id, *line.other_px}};
+}
+
 Eigen::Vector3d unit_m_of(const io::LineSet& set) {
   const io::CrsFacts crs = io::describe(set.crs);
   const Eigen::Vector3d unit_m =
@@ -203,7 +205,7 @@ std::vector<evaluate::ReferenceLine> reference_lines_of(const io::LineSet& set,
                                               line.id));
     }
     const double visible =
-        std::min(line.visible_left.value_or(1.0), line.visible_right.value_or(1.0));
+        std::min(line.visible_base.value_or(1.0), line.visible_other.value_or(1.0));
     references.push_back({in_local, line.kind, visible});
   }
   if (references.empty()) {

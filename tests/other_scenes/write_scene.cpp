@@ -107,8 +107,8 @@ void write_truth(const std::string& path,
     line.kind = named_by != nullptr ? kind_by_surfaces(*named_by, edges[i].edge)
                                     : reference_kind(edges[i].edge);
     const auto [left, right] = largest_shares(edges[i]);
-    line.visible_left = left;
-    line.visible_right = right;
+    line.visible_base = left;
+    line.visible_other = right;
     if (cameras.size() > 2) add_views(edges[i], cameras, line);
     set.lines.push_back(std::move(line));
   }

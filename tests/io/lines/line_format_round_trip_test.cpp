@@ -51,8 +51,8 @@ LineSet some_lines() {
     line.kind = "ridge";
     line.building = "house " + std::to_string(i / 10);
     line.status = "evaluated";
-    line.left_id = std::to_string(i);
-    line.right_id = std::to_string(2 * i);
+    line.base_id = std::to_string(i);
+    line.other_id = std::to_string(2 * i);
     line.epipolar_angle_deg = 0.5 * i;
     line.n_points = i;
     line.n_images = 5;
@@ -129,8 +129,8 @@ TEST_P(LineFormats, KeepAttributesWhereTheFormatHasThem) {
     EXPECT_EQ(a.kind, b.kind);
     EXPECT_EQ(a.building, b.building);
     EXPECT_EQ(a.status, b.status);
-    EXPECT_EQ(a.left_id, b.left_id);
-    EXPECT_EQ(a.right_id, b.right_id);
+    EXPECT_EQ(a.base_id, b.base_id);
+    EXPECT_EQ(a.other_id, b.other_id);
     EXPECT_EQ(a.epipolar_angle_deg, b.epipolar_angle_deg);
     EXPECT_EQ(a.n_points, b.n_points);
     EXPECT_EQ(a.n_images, b.n_images);
