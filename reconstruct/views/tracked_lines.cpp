@@ -26,26 +26,26 @@ UncertainSegment2 registered(const UncertainSegment2& segment, const Registratio
   return moved;
 }
 
-/// Parameter at which the epipolar line of a point of the partner's image crosses the line of a
+/// Parameter at which the epipolar line of a point of the other image crosses the line of a
 /// base segment.
 double epipolar_crossing(const Segment2& base,
-                         const Eigen::Vector2d& in_partner,
-                         const Eigen::Matrix3d& partner_from_base) {
-  const Eigen::Vector3d epipolar_line = partner_from_base.transpose() * in_partner.homogeneous();
+                         const Eigen::Vector2d& in_other,
+                         const Eigen::Matrix3d& other_from_base) {
+  const Eigen::Vector3d epipolar_line = other_from_base.transpose() * in_other.homogeneous();
   const double at_start = epipolar_line.dot(base.start.homogeneous());
   const double at_end = epipolar_line.dot(base.end.homogeneous());
   return at_start / (at_start - at_end);
 }
 
-/// Keeps the part of the base segment that shows what its partner shows. Otherwise a segment with
-/// several fragments as partners would give each of their lines its whole length.
-void clip_to_partner(ObservedTrack& track, const Eigen::Matrix3d& partner_from_base) {
+/// Keeps the part of the base segment that shows what the other segment shows. Otherwise a segment
+/// with several fragments in the other view would give each of their lines its whole length.
+void clip_to_other(ObservedTrack& track, const Eigen::Matrix3d& other_from_base) {
   // Share of the segment; the epipolar lines run along it if the part is shorter.
   constexpr double kMinShare = 0.02;
   const Segment2 base = track.base().segment;
   const auto [low, high] =
-      std::minmax({epipolar_crossing(base, track.other().segment.start, partner_from_base),
-                   epipolar_crossing(base, track.other().segment.end, partner_from_base)});
+      std::minmax({epipolar_crossing(base, track.other().segment.start, other_from_base),
+                   epipolar_crossing(base, track.other().segment.end, other_from_base)});
   const double from = std::max(0.0, low);
   const double to = std::min(1.0, high);
   if (!(to - from > kMinShare)) return;
@@ -97,7 +97,7 @@ TrackedLines tracked_lines(const TrackedSegments& tracked,
       line.observations.push_back(
           observe(lines.frames, track.observations[s].view, observed[i][s], form));
     if (num_tracks[track.base()] > 1)
-      clip_to_partner(line, lines.frames.fundamental(line.base().view, line.other().view));
+      clip_to_other(line, lines.frames.fundamental(line.base().view, line.other().view));
   }
   return lines;
 }

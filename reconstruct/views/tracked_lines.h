@@ -50,7 +50,7 @@ struct TrackedLines {
 };
 
 /// The tracks in the conditioned frames of the patch, which the extracted segments define. If a
-/// base segment belongs to several tracks, each gets the part that its partner shows.
+/// base segment belongs to several tracks, each gets the part that the other segment shows.
 /// @param observed  the segments of each track that are used
 /// Throws as condition() and observe() do.
 TrackedLines tracked_lines(const TrackedSegments& tracked,

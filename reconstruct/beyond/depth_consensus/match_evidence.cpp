@@ -44,10 +44,10 @@ Eigen::Vector2d on_level(const ConditionedView& base,
 
 bool is_reversed(const ConditionedViews& frames, const ObservedTrack& line) {
   const Segment2& segment = line.base().segment;
-  const auto in_partner = [&](const Eigen::Vector2d& x) {
+  const auto in_other = [&](const Eigen::Vector2d& x) {
     return on_level(frames.of(line.base()), frames.of(line.other()), x);
   };
-  const Eigen::Vector2d expected = in_partner(segment.end) - in_partner(segment.start);
+  const Eigen::Vector2d expected = in_other(segment.end) - in_other(segment.start);
   return expected.dot(line.other().segment.end - line.other().segment.start) < 0.0;
 }
 

@@ -63,12 +63,11 @@ void NetworkAdjustment::for_each_condition(std::size_t line,
   }
   if (lines_[line]->is_horizontal) add(rise(at), sigma_slope_);
   // The point is uncertain along both segments.
-  const ObservedLine& partner = lines_[line]->track.other();
-  const ConditionedView& view = frames_.of(partner);
+  const ObservedLine& other = lines_[line]->track.other();
+  const ConditionedView& view = frames_.of(other);
   const double sigma_end = std::numbers::sqrt2 * lines_[line]->sigma_ends_px / view.image.scale_px;
   for (std::size_t e = 0; e < c.base_ends.size(); ++e) {
-    add(end_parallax(at, c.base_ends[e], view, partner.segment, lines_[line]->ends[e][1]),
-        sigma_end);
+    add(end_parallax(at, c.base_ends[e], view, other.segment, lines_[line]->ends[e][1]), sigma_end);
   }
 }
 

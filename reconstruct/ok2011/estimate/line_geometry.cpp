@@ -43,14 +43,14 @@ Segment3 local_from_conditioned(const ObjectConditioning& object, const Segment3
   return {object.local_from_conditioned(s.start), object.local_from_conditioned(s.end)};
 }
 
-/// Whether the ends of the base segment lie so far beyond a short partner that the line is no
-/// longer known there, while it is better known between the partner's ends.
+/// Whether the ends of the base segment lie so far beyond a short other segment that the line is no
+/// longer known there, while it is better known between the ends of that.
 bool is_extrapolated(const UncertainSegment3& base,
-                     const UncertainSegment3& partner,
+                     const UncertainSegment3& other,
                      double scale_m,
                      double max_end_sigma_m) {
   const double sigma_m = scale_m * largest_sigma_z_m(base.cov);
-  return sigma_m > max_end_sigma_m && scale_m * largest_sigma_z_m(partner.cov) < sigma_m;
+  return sigma_m > max_end_sigma_m && scale_m * largest_sigma_z_m(other.cov) < sigma_m;
 }
 
 UncertainSegment3 joined(const UncertainLine3& line, const Endpoint& start, const Endpoint& end) {
@@ -145,19 +145,19 @@ bool assign_geometry(const ConditionedViews& frames,
       transformed(track.observations, [&](const ObservedLine& s) { return frames.of(s); });
   const auto base = endpoints(estimate, views[0], track.base(), views);
   if (!base) return false;
-  const auto partner = endpoints(estimate, views[1], track.other(), views);
+  const auto other = endpoints(estimate, views[1], track.other(), views);
   const ObjectConditioning& object = frames.object;
   const bool is_pair = track.observations.size() == 2;
-  result.between_partner_ends = is_pair && partner && result.line_class == LineClass::kNotAligned &&
-                                (result.between_partner_ends ||
-                                 is_extrapolated(*base, *partner, object.scale_m, max_end_sigma_m));
-  const UncertainSegment3 of_two = result.between_partner_ends ? *partner : *base;
+  result.between_other_ends = is_pair && other && result.line_class == LineClass::kNotAligned &&
+                              (result.between_other_ends ||
+                               is_extrapolated(*base, *other, object.scale_m, max_end_sigma_m));
+  const UncertainSegment3 of_two = result.between_other_ends ? *other : *base;
   const UncertainSegment3 used =
       is_pair ? of_two : part_of_two_views(frames, track, estimate, base->segment).value_or(of_two);
   result.segment_in_local = local_from_conditioned(object, used.segment);
   result.covariance_m2 = object.scale_m * object.scale_m * used.cov;
-  result.partner_segment_in_local.reset();
-  if (partner) result.partner_segment_in_local = local_from_conditioned(object, partner->segment);
+  result.other_segment_in_local.reset();
+  if (other) result.other_segment_in_local = local_from_conditioned(object, other->segment);
   return true;
 }
 

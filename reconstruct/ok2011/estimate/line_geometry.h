@@ -30,7 +30,7 @@ double largest_sigma_z_m(const Matrix6d& cov_m2);
 /// Sets the geometry of the result to the part of the line that its views show.
 /// - Two segments: between the ends of the base segment. A not_aligned line whose height at an end
 /// is less
-///   certain than `max_end_sigma_m` gets the part between the ends of the partner segment if these
+///   certain than `max_end_sigma_m` gets the part between the ends of the other segment if these
 ///     are more
 ///   certain; it keeps them from then on.
 /// - More: to the farthest ends that two views show. Each is the median of the views that agree

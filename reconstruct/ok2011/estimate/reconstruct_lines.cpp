@@ -102,7 +102,7 @@ void give_up(Failure why, ReconstructedLine& result) {
   result.failure = why;
   result.segment_in_local.reset();
   result.covariance_m2.reset();
-  result.partner_segment_in_local.reset();
+  result.other_segment_in_local.reset();
 }
 
 /// `result` comes with the line by the method `direct`. The line is replaced if there are points or

@@ -73,15 +73,14 @@ struct ReconstructedLine : TrackOf<ObservedSegment> {
   std::optional<Failure> failure = Failure::kNoIntersection;
   /// False: two views show the line, and a further one that should show it does not.
   bool confirmed = true;
-  bool between_partner_ends =
-      false;  ///< whether segment_in_local has the ends of the partner segment
+  bool between_other_ends = false;  ///< whether segment_in_local has the ends of the other segment
   /// The largest angle of all pairs of its observations, of each pair the smaller one of both
   /// images.
   double epipolar_angle_rad = 0.0;
   /// The line in m, as assign_geometry() chooses its ends.
   std::optional<Segment3> segment_in_local;
-  std::optional<Matrix6d> covariance_m2;             ///< of (start, end), world axes
-  std::optional<Segment3> partner_segment_in_local;  ///< the same line between the partner's ends
+  std::optional<Matrix6d> covariance_m2;           ///< of (start, end), world axes
+  std::optional<Segment3> other_segment_in_local;  ///< the same line between the ends of other()
   /// The larger height sigma of the two endpoints by `direct`, whatever the method. It tells weak
   /// lines apart by precision, as the class does by angle. Empty without an intersection.
   std::optional<double> direct_sigma_z_m;
@@ -128,8 +127,9 @@ struct EstimateExtensions {
 /// three observations and more. With Method::kJoint, an aligned line is adjusted to these planes
 /// and to the best artificial points made with the lines that it has a pair connection with. With
 /// Method::kNetwork, all these lines are then adjusted together (adjust_network()). If a base
-/// segment belongs to several tracks, each line gets the part that its partner shows. There is one
-/// line per track, or several for an aligned track that shows several lines by agree_on_depth().
+/// segment belongs to several tracks, each line gets the part that the other segment shows. There
+/// is one line per track, or several for an aligned track that shows several lines by
+/// agree_on_depth().
 ///
 /// @param tracked  its cameras count as free of error. Its registrations correct the places of the
 /// segments

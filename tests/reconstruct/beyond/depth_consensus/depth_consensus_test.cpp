@@ -109,7 +109,7 @@ TEST(DepthConsensus, GivesNoLineWhereAnotherDepthExplainsItAboutAsWell) {
   EXPECT_STREQ(status_name(line), "ambiguous_depth");
   EXPECT_FALSE(line.segment_in_local);
   EXPECT_FALSE(line.covariance_m2);
-  EXPECT_FALSE(line.partner_segment_in_local);
+  EXPECT_FALSE(line.other_segment_in_local);
 }
 
 TEST(DepthConsensus, TakesALineWithOnePointAsHorizontalIfItsEndsAgree) {
@@ -307,7 +307,7 @@ std::array<double, 2> heights_beside(Stretch left, Stretch right, double height_
   EstimationOptions options;
   options.consensus.min_depth_margin = 0.0;  // a weak reason alone
   const std::vector<ReconstructedLine> lines = group.reconstruct(options);
-  EXPECT_TRUE(lines[1].between_partner_ends);
+  EXPECT_TRUE(lines[1].between_other_ends);
   EXPECT_LT(*lines[1].direct_sigma_z_m, 0.4);  // m; the height is known well enough to compare
   return {segment_of(lines[0]).start.z(), segment_of(lines[0]).end.z()};
 }
