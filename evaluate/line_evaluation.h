@@ -5,6 +5,7 @@
 #include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/plane.h"
 #include "reconstruct/geometry/segment.h"
+#include "reconstruct/geometry/track.h"
 
 #include <Eigen/Core>
 
@@ -68,17 +69,14 @@ const char* name(const std::optional<Named>& value) {
 }
 
 /// The segment that an image shows of a line.
-struct ImageSighting {
+struct ImageObservation {
   ProjectionMatrix image_from_local;
   Segment2 px;  ///< ideal pixels
 };
 
 /// The image segments that a line was made from. They show, independently of the method that made
 /// it, where its edge lies in plan and which plane the edge belongs to.
-struct ImageEvidence {
-  /// Two or more: the base, then the one that together with it determines best where the line lies,
-  /// then the others.
-  std::vector<ImageSighting> sightings;
+struct ImageEvidence : TrackOf<ImageObservation> {
   std::array<double, 2> height_range_m{};  ///< lowest, highest object height, local
 };
 

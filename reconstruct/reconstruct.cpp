@@ -56,8 +56,18 @@ std::vector<std::string> reasons_of(const std::vector<Outcome>& outcomes) {
   return transformed(outcomes, [](Outcome outcome) { return std::string(name(outcome)); });
 }
 
-std::vector<FoundMatch> found_by(Matcher matcher, const std::vector<ScoredMatch>& matches) {
-  return transformed(matches, [&](const ScoredMatch& m) { return FoundMatch{m, name(matcher)}; });
+std::vector<Correspondence> found_by(const char* matcher, std::vector<Correspondence> matches) {
+  for (Correspondence& match : matches) match.matcher = matcher;
+  return matches;
+}
+
+/// Adds matches of a matcher to the list, for segments that have none.
+void add_found(const char* matcher, const std::vector<Correspondence>& matches, MatchList& list) {
+  for (const Correspondence& match : found_by(matcher, matches)) {
+    list.matches.push_back(match);
+    list.reasons[static_cast<std::size_t>(match.base)] = "matched";
+  }
+  std::ranges::sort(list.matches, {}, &Correspondence::segments);
 }
 
 ChioExtensions chio_extensions(const MatchingOptions& options) {
@@ -67,13 +77,10 @@ ChioExtensions chio_extensions(const MatchingOptions& options) {
 
 /// Beyond the papers: adds the matches that the heights of matched lines make possible to the list.
 void add_by_height(const StereoPair& pair, const MatchingOptions& options, MatchList& list) {
-  for (const ScoredMatch& scored :
-       propagate_heights(pair, transformed(list.matches, &FoundMatch::scored), options.chio,
-                         options.candidates, chio_extensions(options), options.beyond)) {
-    list.matches.push_back({scored, kByHeight});
-    list.reasons[static_cast<std::size_t>(scored.match.left)] = "matched";
-  }
-  std::ranges::sort(list.matches, {}, [](const FoundMatch& found) { return found.scored.match; });
+  add_found(kByHeight,
+            propagate_heights(pair, list.matches, options.chio, options.candidates,
+                              chio_extensions(options), options.beyond),
+            list);
 }
 
 MatchList by_pairs(const StereoPair& pair,
@@ -82,14 +89,14 @@ MatchList by_pairs(const StereoPair& pair,
   const MatchResult found =
       match_pairwise(pair, options.pairwise, options.candidates,
                      match_extensions(options.beyond, options.candidates, address(surface)));
-  MatchList list{name(Matcher::kPairwise), found_by(Matcher::kPairwise, found.matches),
+  MatchList list{name(Matcher::kPairwise), found_by(name(Matcher::kPairwise), found.matches),
                  reasons_of(found.outcomes)};
   if (options.beyond.propagate_heights) add_by_height(pair, options, list);
   return list;
 }
 
 MatchList list_of(const ChioResult& chio) {
-  return {name(Matcher::kChio), found_by(Matcher::kChio, matches_of(chio)),
+  return {name(Matcher::kChio), found_by(name(Matcher::kChio), matches_of(chio)),
           reasons_of(chio.outcomes)};
 }
 
@@ -98,8 +105,8 @@ MatchList combined(const std::vector<EdgeSegment>& left,
                    const ChioResult& chio) {
   MatchList both{kBothMatchers, combine_matches(left, pairwise.matches, chio.lines),
                  pairwise.reasons};
-  for (const FoundMatch& found : both.matches) {
-    both.reasons[static_cast<std::size_t>(found.scored.match.left)] = "matched";
+  for (const Correspondence& found : both.matches) {
+    both.reasons[static_cast<std::size_t>(found.base)] = "matched";
   }
   return both;
 }
@@ -111,15 +118,15 @@ std::vector<PairConnection> connections_of(const Scene& scene,
                                            const MatchOptions& options) {
   std::vector<PairConnection> all;
   for (const UsedPair& pair : pairs) {
-    std::vector<LineMatch> matches;
+    std::vector<Correspondence> matches;
     std::vector<int> track_of_match;
     for (std::size_t t = 0; t < tracks.size(); ++t) {
       const auto in_view = [&](std::size_t view) {
-        return std::ranges::find(tracks[t].seen, view, &Sighting::view);
+        return std::ranges::find(tracks[t].observations, view, &Observation::view);
       };
       const auto base = in_view(pair.views.base);
       const auto search = in_view(pair.views.search);
-      if (base == tracks[t].seen.end() || search == tracks[t].seen.end()) continue;
+      if (base == tracks[t].observations.end() || search == tracks[t].observations.end()) continue;
       matches.push_back({base->segment, search->segment});
       track_of_match.push_back(static_cast<int>(t));
     }
@@ -138,19 +145,15 @@ void guide(const StereoPair& pair, const Options& options, PairMatches& matches)
   if (!beyond.guided || !matches.surface) return;
   MatchList& list = matches.lists.back();
   GuidedMatches found = guided_matches(
-      pair, *matches.surface, line_matches(list),
+      pair, *matches.surface, list.matches,
       {options.extraction.edges, options.matching.candidates, beyond.guided_min_similarity},
       match_extensions(beyond, options.matching.candidates).look);
   list.reasons.resize(pair.views[0]->segments.size() + found.mates[0].size());
-  for (const ScoredMatch& scored : found.matches) {
-    list.matches.push_back({scored, kGuided});
-    list.reasons[static_cast<std::size_t>(scored.match.left)] = "matched";
-  }
-  std::ranges::sort(list.matches, {}, [](const FoundMatch& match) { return match.scored.match; });
+  add_found(kGuided, found.matches, list);
   matches.guided = std::move(found.mates);
 }
 
-/// Adjusts each line to the faces beside it that the pair of its first two sightings shows.
+/// Adjusts each line to the faces beside it that the pair of its first two observations shows.
 void adjust_to_faces(std::span<const UsedPair> pairs, std::vector<ReconstructedLine>& lines) {
   std::map<const Surface*, PlaneFaces> faces;
   for (const UsedPair& pair : pairs) {
@@ -158,7 +161,7 @@ void adjust_to_faces(std::span<const UsedPair> pairs, std::vector<ReconstructedL
   }
   const SurfaceOf surface_of = surfaces_of(pairs);
   for (ReconstructedLine& line : lines) {
-    const Surface* surface = surface_of(line.seen[0].sighting.view, line.seen[1].sighting.view);
+    const Surface* surface = surface_of(line.base().view, line.other().view);
     if (surface != nullptr) adjust_to_faces_beside(surface->rectification, faces.at(surface), line);
   }
 }
@@ -184,8 +187,7 @@ std::vector<ReconstructedLine> lines_of_edges(const Scene& scene,
   std::vector<ReconstructedLine> lines = reconstruct_lines(
       tracked, estimation.lines, estimate_extensions(estimation, surfaces_of(pairs)));
   if (estimation.beyond.shared_errors) {
-    for (ReconstructedLine& line : lines)
-      add_shared_error(cameras[line.seen[0].sighting.view], line);
+    for (ReconstructedLine& line : lines) add_shared_error(cameras[line.base().view], line);
   }
   if (estimation.beyond.adjusts_to_faces() && estimation.lines.method != Method::kDirect)
     adjust_to_faces(pairs, lines);
@@ -340,9 +342,9 @@ void add_guided(Scene& scene, std::span<PairMatches> pairs) {
         id += static_cast<int>(scene.views[of_pair[side]].segments.size() - n);
     };
     for (MatchList& list : pair.lists) {
-      for (FoundMatch& found : list.matches) {
-        renumber(0, found.scored.match.left);
-        renumber(1, found.scored.match.right);
+      for (Correspondence& found : list.matches) {
+        renumber(0, found.base);
+        renumber(1, found.other);
       }
     }
     for (const std::size_t side : {0U, 1U})
@@ -353,9 +355,9 @@ void add_guided(Scene& scene, std::span<PairMatches> pairs) {
 std::vector<Track> tracks_of(const Scene& scene,
                              std::span<const PairMatches> pairs,
                              const Options& options) {
-  if (pairs.size() == 1) return tracks_of_pair(pairs[0].views, line_matches(pairs[0].used()));
+  if (pairs.size() == 1) return tracks_of_pair(pairs[0].views, pairs[0].used().matches);
   const auto matched = transformed(pairs, [](const PairMatches& pair) {
-    return MatchedPair{pair.views, line_matches(pair.used())};
+    return MatchedPair{pair.views, pair.used().matches};
   });
   return tracks_of(at_scale_of_edges(scene), matched, options.matching.candidates,
                    options.matching.tracks);
@@ -390,8 +392,8 @@ std::vector<ReconstructedLine> estimate_at_scale(const Scene& scene,
     if (pair.surface == nullptr) continue;
     for (ReconstructedLine& line : plane_lines(stereo_pair(scene, pair.views), *pair.surface, lines,
                                                options.estimation.lines.max_aligned_angle_deg)) {
-      line.seen[0].sighting.view = pair.views.base;
-      line.seen[1].sighting.view = pair.views.search;
+      line.base().view = pair.views.base;
+      line.other().view = pair.views.search;
       lines.push_back(std::move(line));
     }
   }
@@ -419,16 +421,12 @@ std::vector<ReconstructedLine> estimate(const Scene& scene,
   std::vector<ReconstructedLine> lines =
       estimate_at_scale(at_scale_of_blur(scene, factors), tracks, scaled_pairs, options);
   for (ReconstructedLine& line : lines) {
-    for (SeenSegment& seen : line.seen) {
-      const std::size_t view = seen.sighting.view;
+    for (ObservedSegment& seen : line.observations) {
+      const std::size_t view = seen.view;
       seen.px = in_pixels_of(scene.views[view], factors[view], seen.px);
     }
   }
   return lines;
-}
-
-std::vector<LineMatch> line_matches(const MatchList& list) {
-  return transformed(list.matches, [](const FoundMatch& found) { return found.scored.match; });
 }
 
 Options published() {

@@ -50,9 +50,9 @@ Options published();
 
 /// The matches that one matcher, or both together, found for a pair.
 struct MatchList {
-  std::string name;                  ///< "pairwise", "chio" or "both"
-  std::vector<FoundMatch> matches;   ///< sorted by left, then by right index
-  std::vector<std::string> reasons;  ///< per left segment: "matched", or why it has no match
+  std::string name;                     ///< "pairwise", "chio" or "both"
+  std::vector<Correspondence> matches;  ///< in the order of Correspondence::segments()
+  std::vector<std::string> reasons;     ///< per left segment: "matched", or why it has no match
 };
 
 /// The results of matching a pair.
@@ -138,9 +138,6 @@ std::vector<ReconstructedLine> estimate(const Scene& scene,
                                         std::span<const Track> tracks,
                                         std::span<const UsedPair> pairs,
                                         const Options& options = {});
-
-/// The matches of a list, without scores and matchers.
-std::vector<LineMatch> line_matches(const MatchList& list);
 
 /// Throws std::invalid_argument naming the first option that is out of range.
 void validate(const Options& options);

@@ -14,17 +14,17 @@ namespace ridgeline::reconstruct {
 namespace {
 
 /// How the profiles across the base edge of each track and across its other edges compare, by
-/// sighting. The first one is compared with nothing.
+/// observation. The first one is compared with nothing.
 std::vector<std::vector<ComparedProfiles>> profiles_of(const Scene& scene,
                                                        std::span<const Track> tracks,
                                                        double max_angle_deg) {
   struct Place {
-    std::size_t track, sighting;
+    std::size_t track, observation;
   };
   std::map<std::pair<std::size_t, std::size_t>, std::vector<Place>> places;  // by pair of views
   std::vector<std::vector<ComparedProfiles>> profiles;
   for (std::size_t t = 0; t < tracks.size(); ++t) {
-    const std::vector<Sighting>& seen = tracks[t].seen;
+    const std::vector<Observation>& seen = tracks[t].observations;
     profiles.emplace_back(seen.size());
     for (std::size_t s = 1; s < seen.size(); ++s) {
       if (seen[s].view != seen[0].view) places[{seen[0].view, seen[s].view}].push_back({t, s});
@@ -32,12 +32,13 @@ std::vector<std::vector<ComparedProfiles>> profiles_of(const Scene& scene,
   }
   for (const auto& [views, of_pair] : places) {
     const auto matches = transformed(of_pair, [&](const Place& p) {
-      return LineMatch{tracks[p.track].seen[0].segment, tracks[p.track].seen[p.sighting].segment};
+      return Correspondence{tracks[p.track].base().segment,
+                            tracks[p.track].observations[p.observation].segment};
     });
     const std::vector<ComparedProfiles> compared =
         compare_profiles(stereo_pair(scene, {views.first, views.second}), matches, max_angle_deg);
     for (std::size_t i = 0; i < of_pair.size(); ++i)
-      profiles[of_pair[i].track][of_pair[i].sighting] = compared[i];
+      profiles[of_pair[i].track][of_pair[i].observation] = compared[i];
   }
   return profiles;
 }
@@ -49,13 +50,13 @@ std::vector<Registrations> registrations_by_profiles(const Scene& scene,
                                                      const EstimationOptions& options) {
   const EstimateExtensionOptions& beyond = options.beyond;
   return transformed(profiles_of(scene, tracks, options.lines.max_aligned_angle_deg),
-                     [&](const std::vector<ComparedProfiles>& by_sighting) {
-                       Registrations all(by_sighting.size());
+                     [&](const std::vector<ComparedProfiles>& by_observation) {
+                       Registrations all(by_observation.size());
                        std::optional<double> best;
                        for (std::size_t s = 1; s < all.size(); ++s) {
                          if (beyond.register_profiles)
-                           all[s].shift_px = by_sighting[s].right_shift_px;
-                         const std::optional<double>& similarity = by_sighting[s].similarity;
+                           all[s].shift_px = by_observation[s].right_shift_px;
+                         const std::optional<double>& similarity = by_observation[s].similarity;
                          if (!beyond.shared_errors || !similarity) continue;
                          all[s].sigma_scale = own_sigma_scale(*similarity);
                          best = std::min(best.value_or(all[s].sigma_scale), all[s].sigma_scale);
@@ -65,7 +66,7 @@ std::vector<Registrations> registrations_by_profiles(const Scene& scene,
                      });
 }
 
-/// Scales the sigmas of each track by how well its sightings agree.
+/// Scales the sigmas of each track by how well its observations agree.
 /// @param registrations  those of `tracked`
 void scale_by_agreement(const TrackedSegments& tracked, std::vector<Registrations>& registrations) {
   const std::vector<ObservedTrack> lines =

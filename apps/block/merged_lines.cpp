@@ -3,6 +3,7 @@
 
 #include "io/lines/read_lines.h"
 #include "io/project/patch.h"
+#include "io/results/judged_lines.h"
 #include "reconstruct/block/merge_lines.h"
 #include "reconstruct/geometry/plan_box.h"
 #include "reconstruct/geometry/transformed.h"
@@ -21,15 +22,14 @@ namespace {
 
 /// The pixels that a patch counts from the corner of its windows, in the whole frames.
 void count_from_frame(const io::PatchFile& patch, io::Line& line) {
-  if (line.sightings.empty() && line.left_px && line.right_px)
-    line.sightings = {{patch.images[0].id, *line.left_px}, {patch.images[1].id, *line.right_px}};
-  line.left_px.reset();
-  line.right_px.reset();
-  for (io::LineSighting& sighting : line.sightings) {
-    const auto image = std::ranges::find(patch.images, sighting.image, &io::PatchImage::id);
+  line.observations = results::observations_of(line, patch);
+  line.base_px.reset();
+  line.other_px.reset();
+  for (io::LineObservation& observation : line.observations) {
+    const auto image = std::ranges::find(patch.images, observation.image, &io::PatchImage::id);
     if (image == patch.images.end()) continue;
-    sighting.px.start += image->window_px;
-    sighting.px.end += image->window_px;
+    observation.px.start += image->window_px;
+    observation.px.end += image->window_px;
   }
 }
 

@@ -46,21 +46,20 @@ void label(cv::Mat& canvas, const EdgeSegment& segment, int number, const cv::Sc
 
 cv::Mat match_overlay(const reconstruct::View& left,
                       const reconstruct::View& right,
-                      std::span<const FoundMatch> matches) {
+                      std::span<const Correspondence> matches) {
   constexpr int kLabelled = 5;
   std::array<cv::Mat, 2> canvases{overlay_canvas(left.image), overlay_canvas(right.image)};
   for (const EdgeSegment& segment : left.segments) draw(canvases[0], segment, kUnmatched, 1);
   for (const EdgeSegment& segment : right.segments) draw(canvases[1], segment, kUnmatched, 1);
-  for (const FoundMatch& row : matches) {
-    const LineMatch& match = row.scored.match;
-    const cv::Scalar colour = colour_of(match.left);
-    const EdgeSegment& a = left.segments[static_cast<std::size_t>(match.left)];
-    const EdgeSegment& b = right.segments[static_cast<std::size_t>(match.right)];
+  for (const Correspondence& match : matches) {
+    const cv::Scalar colour = colour_of(match.base);
+    const EdgeSegment& a = left.segments[static_cast<std::size_t>(match.base)];
+    const EdgeSegment& b = right.segments[static_cast<std::size_t>(match.other)];
     draw(canvases[0], a, colour, 2);
     draw(canvases[1], b, colour, 2);
-    if (match.left % kLabelled != 0) continue;
-    label(canvases[0], a, match.left, colour);
-    label(canvases[1], b, match.left, colour);
+    if (match.base % kLabelled != 0) continue;
+    label(canvases[0], a, match.base, colour);
+    label(canvases[1], b, match.base, colour);
   }
   const int rows = std::max(canvases[0].rows, canvases[1].rows);
   for (cv::Mat& canvas : canvases) {

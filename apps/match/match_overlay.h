@@ -14,6 +14,6 @@ namespace ridgeline::apps {
 /// the same on both sides, with the left index at every fifth; the others thin and grey.
 cv::Mat match_overlay(const reconstruct::View& left,
                       const reconstruct::View& right,
-                      std::span<const FoundMatch> matches);
+                      std::span<const Correspondence> matches);
 
 }  // namespace ridgeline::apps

@@ -64,12 +64,12 @@ std::string chio_csv(const reconstruct::ChioResult& result, const LocalFrame& fr
   const double origin_z_m = frame.origin_m.z();
   for (const reconstruct::ChioLine& line : result.lines) {
     const reconstruct::ChainSummary& chain = line.chain;
-    text += fmt::format(
-        "{},{},{},{},{},{},{:.4f},{:.4f},{:.2f},{:.3f},{:.3f}{}\n", line.scored.match.left,
-        line.scored.match.right, fmt::join(line.fragments, " "), line.acquired.process,
-        constraint_fields(line.acquired, origin_z_m), chain.n_reliable, chain.mean_rate,
-        chain.rate_sigma, chain.azimuth_rad / kRadPerDeg, chain.mean_height_m + origin_z_m,
-        chain.height_sigma_m, line_fields(line.line, frame));
+    text += fmt::format("{},{},{},{},{},{},{:.4f},{:.4f},{:.2f},{:.3f},{:.3f}{}\n", line.match.base,
+                        line.match.other, fmt::join(line.fragments, " "), line.acquired.process,
+                        constraint_fields(line.acquired, origin_z_m), chain.n_reliable,
+                        chain.mean_rate, chain.rate_sigma, chain.azimuth_rad / kRadPerDeg,
+                        chain.mean_height_m + origin_z_m, chain.height_sigma_m,
+                        line_fields(line.line, frame));
   }
   return text;
 }

@@ -21,24 +21,25 @@ std::vector<Segment2> in_image(const std::vector<EdgeSegment>& segments) {
   return transformed(segments, &EdgeSegment::in_image);
 }
 
-std::vector<evaluate::EdgeInBoth> edges_in_both(const std::vector<io::ReferenceEdge>& edges,
-                                                const io::PatchFile& patch) {
-  return transformed(edges, [&](const io::ReferenceEdge& edge) -> evaluate::EdgeInBoth {
-    return {in_window(edge.left, patch.images[0]), in_window(edge.right, patch.images[1]),
-            edge.is_wrong_pair};
-  });
+std::vector<ReferenceEdge> in_windows(std::vector<ReferenceEdge> edges,
+                                      const io::PatchFile& patch) {
+  for (ReferenceEdge& edge : edges) {
+    edge.base = in_window(edge.base, patch.images[0]);
+    edge.other = in_window(edge.other, patch.images[1]);
+  }
+  return edges;
 }
 
 /// The largest epipolar angle over the pairs of runs in different views.
 double largest_angle_rad(const evaluate::TrueEdge& edge, const io::PatchFile& patch) {
   double largest_rad = 0.0;
-  for (const evaluate::TrueEdge::Run& a : edge.runs) {
-    for (const evaluate::TrueEdge::Run& b : edge.runs) {
+  for (const ObservedSegment& a : edge.runs) {
+    for (const ObservedSegment& b : edge.runs) {
       if (a.view >= b.view) continue;
       largest_rad =
           std::max(largest_rad, epipolar_angle_rad({patch.images[a.view].image_from_world,
                                                     patch.images[b.view].image_from_world},
-                                                   a.segment, b.segment));
+                                                   a.px, b.px));
     }
   }
   return largest_rad;
@@ -53,14 +54,13 @@ std::vector<evaluate::TrueEdge> true_edges(const io::PatchFile& patch,
   for (const io::ReferenceTrack& track :
        io::read_reference_tracks(*patch.reference_tracks, images, patch.chooses_images)) {
     evaluate::TrueEdge edge;
-    for (const io::ReferenceSighting& s : track.sightings) {
+    for (const ObservedSegment& s : track.observations) {
       if (s.view >= n_views) continue;
-      const Segment2 segment = in_window(s.segment, patch.images[s.view]);
-      if (is_read(segment, patch.images[s.view])) edge.runs.push_back({s.view, segment});
+      const Segment2 segment = in_window(s.px, patch.images[s.view]);
+      if (is_read(segment, patch.images[s.view])) edge.runs.push_back({{s.view, -1}, segment});
     }
-    const bool is_in_two = std::ranges::any_of(edge.runs, [&](const evaluate::TrueEdge::Run& run) {
-      return run.view != edge.runs.front().view;
-    });
+    const bool is_in_two = std::ranges::any_of(
+        edge.runs, [&](const ObservedSegment& run) { return run.view != edge.runs.front().view; });
     if (!is_in_two) continue;
     edge.is_aligned = largest_angle_rad(edge, patch) <= max_aligned_angle_deg * kRadPerDeg;
     edges.push_back(std::move(edge));
@@ -83,18 +83,17 @@ void check_id(const std::string& file,
 }  // namespace
 
 void check_segment_ids(const std::string& file,
-                       std::span<const LineMatch> matches,
+                       std::span<const Correspondence> matches,
                        const std::array<std::vector<EdgeSegment>, 2>& segments) {
-  for (const LineMatch& match : matches) {
-    check_id(file, "left_id", match.left, segments[0]);
-    check_id(file, "right_id", match.right, segments[1]);
+  for (const Correspondence& match : matches) {
+    check_id(file, "left_id", match.base, segments[0]);
+    check_id(file, "right_id", match.other, segments[1]);
   }
 }
 
-std::vector<LineMatch> read_line_matches(const std::string& file,
-                                         const std::array<std::vector<EdgeSegment>, 2>& segments) {
-  std::vector<LineMatch> matches;
-  for (const FoundMatch& found : io::read_matches(file)) matches.push_back(found.scored.match);
+std::vector<Correspondence> read_correspondences(
+    const std::string& file, const std::array<std::vector<EdgeSegment>, 2>& segments) {
+  std::vector<Correspondence> matches = io::read_matches(file);
   check_segment_ids(file, matches, segments);
   return matches;
 }
@@ -102,16 +101,16 @@ std::vector<LineMatch> read_line_matches(const std::string& file,
 std::optional<evaluate::MatchingScore> score_patch_matches(
     const io::PatchFile& patch,
     const std::array<std::vector<EdgeSegment>, 2>& segments,
-    std::span<const LineMatch> matches) {
+    std::span<const Correspondence> matches) {
   if (!patch.reference_matches) return std::nullopt;
   const io::ReferenceMatches reference = io::read_reference_matches(*patch.reference_matches);
-  if (const auto* pairs = std::get_if<std::vector<LineMatch>>(&reference)) {
+  if (const auto* pairs = std::get_if<std::vector<Correspondence>>(&reference)) {
     check_segment_ids(*patch.reference_matches, *pairs, segments);
     return evaluate::score_matches(matches, *pairs);
   }
   return evaluate::score_matches(
       in_image(segments[0]), in_image(segments[1]), matches,
-      edges_in_both(std::get<std::vector<io::ReferenceEdge>>(reference), patch));
+      in_windows(std::get<std::vector<ReferenceEdge>>(reference), patch));
 }
 
 std::optional<evaluate::TracksScore> score_patch_tracks(

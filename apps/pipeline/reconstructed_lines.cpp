@@ -29,9 +29,7 @@ Segment3 in_world(const std::optional<Segment3>& segment_in_local, const LocalFr
 }
 
 /// Whether the line comes from a match of two edges, and not from the intersection of two planes.
-bool is_of_match(const reconstruct::ReconstructedLine& line) {
-  return line.seen[0].sighting.segment >= 0;
-}
+bool is_of_match(const reconstruct::ReconstructedLine& line) { return line.base().segment >= 0; }
 
 /// The number of the match, "17"; with that of the part, "17.2", if the match shows several lines.
 /// An intersection of planes has `p` and a number.
@@ -43,13 +41,12 @@ std::string line_id(const reconstruct::ReconstructedLine& line, std::size_t numb
 /// What the first two images of the patch, its pair, show of the line.
 void set_pair(const reconstruct::ReconstructedLine& line, io::Line& out) {
   for (const auto& [view, id, px] :
-       {std::tuple(0U, &out.left_id, &out.left_px), std::tuple(1U, &out.right_id, &out.right_px)}) {
+       {std::tuple(0U, &out.base_id, &out.base_px), std::tuple(1U, &out.other_id, &out.other_px)}) {
     const auto seen = std::ranges::find_if(
-        line.seen,
-        [&, v = view](const reconstruct::SeenSegment& s) { return s.sighting.view == v; });
-    if (seen == line.seen.end()) continue;
+        line.observations, [&, v = view](const ObservedSegment& s) { return s.view == v; });
+    if (seen == line.observations.end()) continue;
     *px = seen->px;
-    if (is_of_match(line)) *id = std::to_string(seen->sighting.segment);
+    if (is_of_match(line)) *id = std::to_string(seen->segment);
   }
 }
 
@@ -62,8 +59,8 @@ std::string class_by_base_pair(const reconstruct::ReconstructedLine& line,
   const std::array<ProjectionMatrix, 2> cameras{scene.views[0].image_from_local,
                                                 scene.views[1].image_from_local};
   std::optional<double> angle_rad;
-  if (out.left_px && out.right_px) {
-    angle_rad = epipolar_angle_rad(cameras, *out.left_px, *out.right_px);
+  if (out.base_px && out.other_px) {
+    angle_rad = epipolar_angle_rad(cameras, *out.base_px, *out.other_px);
   } else if (line.segment_in_local) {
     angle_rad = epipolar_angle_rad(cameras, *line.segment_in_local);
   }
@@ -75,7 +72,7 @@ std::string class_by_base_pair(const reconstruct::ReconstructedLine& line,
 
 int n_images(const reconstruct::ReconstructedLine& line) {
   std::set<std::size_t> views;
-  for (const reconstruct::SeenSegment& seen : line.seen) views.insert(seen.sighting.view);
+  for (const ObservedSegment& seen : line.observations) views.insert(seen.view);
   return static_cast<int>(views.size());
 }
 
@@ -99,13 +96,13 @@ io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
     out.segment_in_world = in_world(line.segment_in_local, scene.frame);
     out.method = reconstruct::name(method);
     out.line_class = reconstruct::name(line.line_class);
-    out.status = reconstruct::name(line.status);
+    out.status = reconstruct::status_name(line);
     out.epipolar_angle_deg = line.epipolar_angle_rad * 180.0 / std::numbers::pi;
     set_pair(line, out);
     if (scene.views.size() > 2) {
       out.class_base = class_by_base_pair(line, scene, out, max_aligned_angle_deg);
-      out.sightings = transformed(line.seen, [&](const reconstruct::SeenSegment& seen) {
-        return io::LineSighting{scene.views[seen.sighting.view].id, seen.px};
+      out.observations = transformed(line.observations, [&](const ObservedSegment& seen) {
+        return io::LineObservation{scene.views[seen.view].id, seen.px};
       });
     }
     out.n_points = static_cast<int>(line.points.size()) + line.n_meetings;

@@ -37,8 +37,8 @@ struct SegmentColumn {
   const char* name;
   std::optional<Segment2> Line::*member;
 };
-constexpr std::array kImageSegments{SegmentColumn{"left_px", &Line::left_px},
-                                    SegmentColumn{"right_px", &Line::right_px}};
+constexpr std::array kImageSegments{SegmentColumn{"left_px", &Line::base_px},
+                                    SegmentColumn{"right_px", &Line::other_px}};
 
 using Ends3 = Eigen::Matrix<double, 2, 3>;  // start, end
 using Ends2 = Eigen::Matrix2d;

@@ -73,8 +73,8 @@ struct Tracked {
 /// now of all images. Segments that are found then are added to the scene.
 Tracked tracked(reconstruct::Scene& scene, const ReconstructArguments& a) {
   if (!a.matches.empty()) {
-    const std::vector<LineMatch> matches =
-        read_line_matches(a.matches, {scene.views[0].segments, scene.views[1].segments});
+    const std::vector<Correspondence> matches =
+        read_correspondences(a.matches, {scene.views[0].segments, scene.views[1].segments});
     return {{kPairOfPatch},
             {reconstruct::surface_of(stereo_pair(scene, kPairOfPatch), a.options)},
             tracks_of_pair(kPairOfPatch, matches)};

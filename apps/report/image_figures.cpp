@@ -91,8 +91,10 @@ cv::Mat framed_image(const SegmentPicture& picture,
 }
 
 /// The segment of an image that a match names.
-const Segment2& segment_of(const ReportImages& images, std::size_t image, const LineMatch& match) {
-  const int index = image == 0 ? match.left : match.right;
+const Segment2& segment_of(const ReportImages& images,
+                           std::size_t image,
+                           const Correspondence& match) {
+  const int index = image == 0 ? match.base : match.other;
   return images.segments[image].at(static_cast<std::size_t>(index)).in_image;
 }
 
@@ -132,9 +134,9 @@ cv::Mat figure7(const ReportPatch& patch, std::size_t image) {
   for (const EdgeSegment& segment : images.segments[image]) {
     picture.draw(segment.in_image, colour::kGrey, kThin);
   }
-  const std::vector<FoundMatch>& matches = images.pairs.front().matches;
+  const std::vector<Correspondence>& matches = images.pairs.front().matches;
   for (std::size_t i = 0; i < matches.size(); ++i) {
-    const Segment2& segment = segment_of(images, image, matches[i].scored.match);
+    const Segment2& segment = segment_of(images, image, matches[i]);
     const auto verdict =
         images.score ? images.score->verdicts[i] : evaluate::MatchVerdict::kUnjudged;
     if (verdict == evaluate::MatchVerdict::kFalse) {
@@ -147,7 +149,7 @@ cv::Mat figure7(const ReportPatch& patch, std::size_t image) {
     }
   }
   if (images.score) {
-    for (const LineMatch& missed : images.score->missed) {
+    for (const Correspondence& missed : images.score->missed) {
       picture.draw(segment_of(images, image, missed), colour::kMissed, kThick);
     }
   }

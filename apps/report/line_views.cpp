@@ -103,7 +103,7 @@ bool ImageField::is_hidden(const Eigen::Vector3d& x_in_local) const {
   return nearest_m < (x_in_local - centre_in_local_).norm() - kMargin_m;
 }
 
-ViewOfLine ImageField::unsighted(const Segment3& line) const {
+ViewOfLine ImageField::unobserved(const Segment3& line) const {
   constexpr double kBorder_px = 5.0;  // edges are not found closer to the border
   constexpr int kPlaces = 9;
   int n_inside = 0;

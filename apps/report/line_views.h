@@ -42,14 +42,14 @@ inline constexpr double kMaxSigmas = 3.29;
 
 /// What an image shows of a line.
 enum class ViewOfLine : std::uint8_t {
-  kAgrees,   ///< a segment on the projection of the line
-  kDiffers,  ///< a segment that is farther from the projection than its sigma allows
-  kSighted,  ///< a segment, of a line without geometry or covariance
-  kMissing,  ///< no segment, though the line lies in the image and nothing hides it
-  kHidden,   ///< no segment, and points of the surface hide the line
-  kBorder,   ///< no segment, and a part of the line lies outside of the image
-  kOutside,  ///< the line does not lie in the image
-  kNotUsed,  ///< no line of the method has a segment of this image
+  kAgrees,    ///< a segment on the projection of the line
+  kDiffers,   ///< a segment that is farther from the projection than its sigma allows
+  kObserved,  ///< a segment, of a line without geometry or covariance
+  kMissing,   ///< no segment, though the line lies in the image and nothing hides it
+  kHidden,    ///< no segment, and points of the surface hide the line
+  kBorder,    ///< no segment, and a part of the line lies outside of the image
+  kOutside,   ///< the line does not lie in the image
+  kNotUsed,   ///< no line of the method has a segment of this image
 };
 
 /// "agrees", "differs", "sighted", "missing", "hidden", "border", "outside", "not_used"
@@ -65,7 +65,7 @@ class ImageField {
 
   /// What the image shows of a line of which it has no segment: kMissing, kHidden, kBorder or
   /// kOutside.
-  [[nodiscard]] ViewOfLine unsighted(const Segment3& line_in_local) const;
+  [[nodiscard]] ViewOfLine unobserved(const Segment3& line_in_local) const;
 
  private:
   [[nodiscard]] bool is_inside(const Eigen::Vector2d& x_px, double border_px) const;

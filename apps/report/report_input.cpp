@@ -32,10 +32,6 @@ namespace {
 
 constexpr const char* kMatchStage = "match";
 
-std::vector<LineMatch> line_matches(const std::vector<FoundMatch>& rows) {
-  return transformed(rows, [&](const FoundMatch& row) { return row.scored.match; });
-}
-
 std::array<std::vector<EdgeSegment>, 2> segments_of(const ReportImages& images,
                                                     const ViewPair& views) {
   return {images.segments[views.base], images.segments[views.search]};
@@ -43,7 +39,7 @@ std::array<std::vector<EdgeSegment>, 2> segments_of(const ReportImages& images,
 
 void read_pair(const std::string& file, const ViewPair& views, ReportImages& images) {
   ReportPair& pair = images.pairs.emplace_back(ReportPair{views, io::read_matches(file)});
-  check_segment_ids(file, line_matches(pair.matches), segments_of(images, views));
+  check_segment_ids(file, pair.matches, segments_of(images, views));
 }
 
 /// Reads the matches of further pairs and the tracks that the run has written.
@@ -258,10 +254,10 @@ void read_run_data(const fs::path& folder, const RunInputs& inputs, ReportPatch&
     read_or_note(patch, "matches are not judged", [&] {
       (void)inputs.unchanged(*patch.patch->reference_matches);
       const ReportImages& images = *patch.images;
-      const std::vector<FoundMatch> none;
-      patch.images->score = score_patch_matches(
-          *patch.patch, segments_of(images, kPairOfPatch),
-          line_matches(images.pairs.empty() ? none : images.pairs.front().matches));
+      const std::vector<Correspondence> none;
+      patch.images->score =
+          score_patch_matches(*patch.patch, segments_of(images, kPairOfPatch),
+                              images.pairs.empty() ? none : images.pairs.front().matches);
     });
   }
   const std::optional<std::string> reference = inputs.reference_lines(patch.patch);

@@ -54,7 +54,7 @@ struct ReportMethod {
 /// The matches of a pair of images, given by their places in the patch.
 struct ReportPair {
   ViewPair views;
-  std::vector<FoundMatch> matches;
+  std::vector<Correspondence> matches;
 };
 
 /// The images of a patch with segments and matches. It exists only if all of these could be read.

@@ -2,7 +2,7 @@
 #include "apps/report/report_json.h"
 
 #include "apps/report/base64.h"
-#include "apps/report/line_sightings.h"
+#include "apps/report/line_observations.h"
 #include "evaluate/gates/gate_report.h"
 #include "evaluate/statistics/product_method.h"
 #include "evaluate/tables/evaluation_json.h"
@@ -114,9 +114,9 @@ Json view_json(const ReportPatch& patch, std::size_t i) {
 Json pair_json(const ReportPair& pair, const evaluate::MatchingScore* score) {
   Json matches = Json::array();
   for (std::size_t i = 0; i < pair.matches.size(); ++i) {
-    const ScoredMatch& m = pair.matches[i].scored;
-    Json match{{"left", m.match.left},
-               {"right", m.match.right},
+    const Correspondence& m = pair.matches[i];
+    Json match{{"left", m.base},
+               {"right", m.other},
                {"score", rounded(m.score, 4)},
                {"votes", rounded(m.votes, 3)}};
     if (score != nullptr) match["verdict"] = evaluate::name(score->verdicts[i]);
@@ -124,7 +124,7 @@ Json pair_json(const ReportPair& pair, const evaluate::MatchingScore* score) {
   }
   Json missed = Json::array();
   if (score != nullptr) {
-    for (const LineMatch& m : score->missed) missed.push_back(Json::array({m.left, m.right}));
+    for (const Correspondence& m : score->missed) missed.push_back(Json::array({m.base, m.other}));
   }
   return {{"base", pair.views.base},
           {"search", pair.views.search},
@@ -137,7 +137,7 @@ Json tracks_json(const std::vector<Track>& tracks) {
   Json json = Json::array();
   for (const Track& track : tracks) {
     Json& row = json.emplace_back(Json::array());
-    for (const Sighting& seen : track.seen) {
+    for (const Observation& seen : track.observations) {
       row.push_back(seen.view);
       row.push_back(seen.segment);
     }
@@ -215,9 +215,9 @@ Json image_segment(const std::optional<Segment2>& s) {
 }
 
 /// The segments of a line as [view, number or null, pixels or null].
-Json sightings_json(const ReportPatch& patch, const io::Line& line) {
+Json observations_json(const ReportPatch& patch, const io::Line& line) {
   Json json = Json::array();
-  for (const LineInImage& seen : sightings_of(patch, line)) {
+  for (const LineInImage& seen : observations_of(patch, line)) {
     json.push_back(Json::array(
         {seen.view, seen.segment ? Json(*seen.segment) : Json(nullptr), image_segment(seen.px)}));
   }
@@ -253,7 +253,7 @@ void add_geometry(const ReportPatch& patch, const ReportMethod& method, std::siz
       json["seen_end"] = coordinates(method.segments[i]->end);
     }
   }
-  json["sightings"] = sightings_json(patch, line);
+  json["sightings"] = observations_json(patch, line);
   json["construction"] = line.status;
   if (line.n_points) json["n_points"] = *line.n_points;
   if (line.n_images) json["n_images"] = *line.n_images;

@@ -46,15 +46,15 @@ std::string list_file(const char* stem, const std::string& matcher) {
 }
 
 /// left_id,right_id,verdict: correct, false and unjudged matches, then the missed ones.
-std::string verdicts_csv(const std::vector<LineMatch>& matches,
+std::string verdicts_csv(const std::vector<Correspondence>& matches,
                          const evaluate::MatchingScore& score) {
   std::string text = "left_id,right_id,verdict\n";
   for (std::size_t i = 0; i < matches.size(); ++i) {
-    text += fmt::format("{},{},{}\n", matches[i].left, matches[i].right,
+    text += fmt::format("{},{},{}\n", matches[i].base, matches[i].other,
                         evaluate::name(score.verdicts[i]));
   }
-  for (const LineMatch& missed : score.missed) {
-    text += fmt::format("{},{},missed\n", missed.left, missed.right);
+  for (const Correspondence& missed : score.missed) {
+    text += fmt::format("{},{},missed\n", missed.base, missed.other);
   }
   return text;
 }
@@ -270,7 +270,7 @@ void PatchStages::write_lists_of_matchers(const reconstruct::PairMatches& result
 std::vector<Track> PatchStages::tracks() const {
   if (patch_.images.size() > 2)
     return io::read_tracks(path(kTrackList), transformed(patch_.images, &io::PatchImage::id));
-  return tracks_of_pair(kPairOfPatch, read_line_matches(path(kMatchList), segments_of_pair()));
+  return tracks_of_pair(kPairOfPatch, read_correspondences(path(kMatchList), segments_of_pair()));
 }
 
 void PatchStages::reconstruct(reconstruct::Method method) {
@@ -315,8 +315,8 @@ std::vector<evaluate::Table1Row> PatchStages::score_matches() const {
   const std::vector<std::string> names = list_names();
   for (const std::string& matcher : names) {
     const bool is_used = matcher == names.back();
-    const std::vector<LineMatch> matches =
-        read_line_matches(path(is_used ? kMatchList : list_file("matches", matcher)), extracted);
+    const std::vector<Correspondence> matches =
+        read_correspondences(path(is_used ? kMatchList : list_file("matches", matcher)), extracted);
     const auto score = score_patch_matches(patch_, extracted, matches);
     if (!score) continue;
     rows.push_back({patch_.id, matcher, score->counts, score->n_unjudged});

@@ -3,8 +3,8 @@
 
 #include "apps/common/outcome.h"
 #include "apps/run/patch_run.h"
+#include "reconstruct/geometry/correspondence.h"
 #include "reconstruct/geometry/edge_segment.h"
-#include "reconstruct/geometry/line_match.h"
 #include "reconstruct/reconstruct.h"
 
 #include <nlohmann/json.hpp>

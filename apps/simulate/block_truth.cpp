@@ -37,8 +37,8 @@ void set_seen(std::span<const AerialView> views, std::vector<double> shares, io:
   if (cameras.size() >= 2) set_class(cameras, line);
   std::ranges::partial_sort(shares, shares.begin() + 2, std::greater());
   line.n_images = static_cast<int>(cameras.size());
-  line.visible_left = shares[0];
-  line.visible_right = shares[1];
+  line.visible_base = shares[0];
+  line.visible_other = shares[1];
 }
 
 }  // namespace

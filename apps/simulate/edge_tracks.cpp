@@ -10,16 +10,16 @@
 namespace ridgeline::simulate {
 namespace {
 
-ShownEdge with_clear_sightings(const ShownEdge& edge, const ReferenceOptions& options) {
+ShownEdge with_clear_runs(const ShownEdge& edge, const ReferenceOptions& options) {
   ShownEdge clear{edge.kind, edge.rank, {}};
-  std::ranges::copy_if(edge.sightings, std::back_inserter(clear.sightings),
-                       [&](const Sighting& s) { return is_clear(s, options); });
+  std::ranges::copy_if(edge.runs, std::back_inserter(clear.runs),
+                       [&](const VisibleRun& s) { return is_clear(s, options); });
   return clear;
 }
 
-/// Sightings are in order of their views.
+/// Visible runs are in order of their views.
 bool is_in_two_views(const ShownEdge& edge) {
-  return !edge.sightings.empty() && edge.sightings.front().view != edge.sightings.back().view;
+  return !edge.runs.empty() && edge.runs.front().view != edge.runs.back().view;
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ std::vector<ShownEdge> edge_tracks(std::span<const ShownEdge> edges,
                                    const ReferenceOptions& options) {
   std::vector<ShownEdge> candidates;
   for (const ShownEdge& edge : edges) {
-    ShownEdge clear = with_clear_sightings(edge, options);
+    ShownEdge clear = with_clear_runs(edge, options);
     if (is_in_two_views(clear)) candidates.push_back(std::move(clear));
   }
   return without_duplicates(std::move(candidates));
@@ -39,7 +39,7 @@ std::string tracks_csv(std::span<const ShownEdge> tracks, std::span<const Aerial
   int number = 0;
   for (const ShownEdge& track : tracks) {
     ++number;
-    for (const Sighting& s : track.sightings) {
+    for (const VisibleRun& s : track.runs) {
       text += fmt::format("{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f}\n", number, track.kind,
                           views[s.view].id, s.segment_px.start.x(), s.segment_px.start.y(),
                           s.segment_px.end.x(), s.segment_px.end.y(), s.visible_share);

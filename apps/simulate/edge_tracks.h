@@ -10,13 +10,13 @@
 
 namespace ridgeline::simulate {
 
-/// The true tracks: the edges that two views or more show clearly, with their clear sightings and
+/// The true tracks: the edges that two views or more show clearly, with their clear runs and
 /// without duplicates. Their contrast must have been measured.
 std::vector<ShownEdge> edge_tracks(std::span<const ShownEdge> edges,
                                    const ReferenceOptions& options = {});
 
 /// The text of tracks.csv: edge,kind,image,x1_px,y1_px,x2_px,y2_px,visible, one row for each
-/// sighting. Edges are numbered from 1.
+/// run. Edges are numbered from 1.
 std::string tracks_csv(std::span<const ShownEdge> tracks, std::span<const AerialView> views);
 
 }  // namespace ridgeline::simulate

@@ -14,8 +14,8 @@ double common_length(const Interval& a, const Interval& b) {
 }
 
 /// The pairs of runs with the longest common parts; each run is used once.
-std::vector<std::pair<Sighting, Sighting>> paired(const std::vector<Sighting>& left,
-                                                  const std::vector<Sighting>& right) {
+std::vector<std::pair<VisibleRun, VisibleRun>> paired(const std::vector<VisibleRun>& left,
+                                                      const std::vector<VisibleRun>& right) {
   struct Pair {
     std::size_t i, k;
     double common_length;
@@ -30,7 +30,7 @@ std::vector<std::pair<Sighting, Sighting>> paired(const std::vector<Sighting>& l
   std::ranges::stable_sort(pairs, std::greater(), &Pair::common_length);
   std::vector<char> left_used(left.size(), 0);
   std::vector<char> right_used(right.size(), 0);
-  std::vector<std::pair<Sighting, Sighting>> result;
+  std::vector<std::pair<VisibleRun, VisibleRun>> result;
   for (const Pair& pair : pairs) {
     if (left_used[pair.i] != 0 || right_used[pair.k] != 0) continue;
     left_used[pair.i] = right_used[pair.k] = 1;
@@ -41,8 +41,8 @@ std::vector<std::pair<Sighting, Sighting>> paired(const std::vector<Sighting>& l
 
 }  // namespace
 
-std::vector<io::ReferenceEdge> reference_matches(std::span<const ShownEdge> edges,
-                                                 const ReferenceOptions& options) {
+std::vector<ReferenceEdge> reference_matches(std::span<const ShownEdge> edges,
+                                             const ReferenceOptions& options) {
   std::vector<ShownEdge> candidates;
   for (const ShownEdge& edge : edges) {
     for (const auto& [left, right] : paired(edge.in_view(0), edge.in_view(1))) {
@@ -50,12 +50,12 @@ std::vector<io::ReferenceEdge> reference_matches(std::span<const ShownEdge> edge
       candidates.push_back({edge.kind, edge.rank, {left, right}});
     }
   }
-  std::vector<io::ReferenceEdge> matches;
+  std::vector<ReferenceEdge> matches;
   for (const ShownEdge& edge : without_duplicates(std::move(candidates))) {
-    matches.push_back({.id = std::to_string(matches.size()),
-                       .kind = edge.kind,
-                       .left = edge.sightings[0].segment_px,
-                       .right = edge.sightings[1].segment_px});
+    matches.push_back({.base = edge.runs[0].segment_px,
+                       .other = edge.runs[1].segment_px,
+                       .id = std::to_string(matches.size()),
+                       .kind = edge.kind});
   }
   return matches;
 }

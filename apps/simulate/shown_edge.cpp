@@ -14,13 +14,13 @@
 namespace ridgeline::simulate {
 namespace {
 
-std::vector<Sighting> sightings(const SurfaceOracle& oracle,
-                                std::size_t view,
-                                const Segment3& edge,
-                                const ReferenceOptions& options) {
+std::vector<VisibleRun> runs(const SurfaceOracle& oracle,
+                             std::size_t view,
+                             const Segment3& edge,
+                             const ReferenceOptions& options) {
   const std::vector<Interval> runs = visible_runs(oracle, view, edge, options);
   const double visible_share = total_length(runs);
-  std::vector<Sighting> result;
+  std::vector<VisibleRun> result;
   result.reserve(runs.size());
   for (const Interval& run : runs) {
     result.push_back({view, run, image_of(oracle, view, edge, run), visible_share});
@@ -41,8 +41,8 @@ bool covered_by(const Segment2& segment, const Segment2& other) {
 }
 
 bool covered_by(const ShownEdge& edge, const ShownEdge& other) {
-  return std::ranges::all_of(edge.sightings, [&](const Sighting& s) {
-    return std::ranges::any_of(other.sightings, [&](const Sighting& t) {
+  return std::ranges::all_of(edge.runs, [&](const VisibleRun& s) {
+    return std::ranges::any_of(other.runs, [&](const VisibleRun& t) {
       return t.view == s.view && covered_by(s.segment_px, t.segment_px);
     });
   });
@@ -50,7 +50,7 @@ bool covered_by(const ShownEdge& edge, const ShownEdge& other) {
 
 double length_in_first_view_px(const ShownEdge& edge) {
   double sum_px = 0.0;
-  for (const Sighting& s : edge.in_view(edge.sightings.front().view)) {
+  for (const VisibleRun& s : edge.in_view(edge.runs.front().view)) {
     sum_px += length(s.segment_px);
   }
   return sum_px;
@@ -58,10 +58,10 @@ double length_in_first_view_px(const ShownEdge& edge) {
 
 }  // namespace
 
-std::vector<Sighting> ShownEdge::in_view(std::size_t view) const {
-  std::vector<Sighting> result;
-  std::ranges::copy_if(sightings, std::back_inserter(result),
-                       [&](const Sighting& s) { return s.view == view; });
+std::vector<VisibleRun> ShownEdge::in_view(std::size_t view) const {
+  std::vector<VisibleRun> result;
+  std::ranges::copy_if(runs, std::back_inserter(result),
+                       [&](const VisibleRun& s) { return s.view == view; });
   return result;
 }
 
@@ -75,8 +75,8 @@ std::vector<ShownEdge> shown_edges(const Scene& scene,
     shown.kind = edges[i].kind;
     shown.rank = edges[i].rank;
     for (std::size_t view = 0; view < oracle.num_views(); ++view) {
-      std::ranges::move(sightings(oracle, view, edges[i].segment, options),
-                        std::back_inserter(shown.sightings));
+      std::ranges::move(runs(oracle, view, edges[i].segment, options),
+                        std::back_inserter(shown.runs));
     }
   });
   return result;
@@ -84,15 +84,14 @@ std::vector<ShownEdge> shown_edges(const Scene& scene,
 
 void measure_contrast(std::size_t view, const ImageWindow& village, std::span<ShownEdge> edges) {
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
-    for (Sighting& s : edges[i].sightings) {
+    for (VisibleRun& s : edges[i].runs) {
       if (s.view == view) s.contrast = contrast_across(village, s.segment_px);
     }
   });
 }
 
-bool is_clear(const Sighting& sighting, const ReferenceOptions& options) {
-  return length(sighting.segment_px) >= options.shortest_px &&
-         sighting.contrast >= options.least_contrast;
+bool is_clear(const VisibleRun& run, const ReferenceOptions& options) {
+  return length(run.segment_px) >= options.shortest_px && run.contrast >= options.least_contrast;
 }
 
 std::vector<ShownEdge> without_duplicates(std::vector<ShownEdge> edges) {
@@ -106,7 +105,7 @@ std::vector<ShownEdge> without_duplicates(std::vector<ShownEdge> edges) {
     if (!duplicate) kept.push_back(std::move(edge));
   }
   std::ranges::stable_sort(kept, {}, [](const ShownEdge& edge) {
-    const Sighting& first = edge.sightings.front();
+    const VisibleRun& first = edge.runs.front();
     return std::tuple(first.view, first.segment_px.start.x(), first.segment_px.start.y());
   });
   return kept;

@@ -12,11 +12,10 @@
 namespace ridgeline::simulate {
 
 /// A visible run of an edge in one view.
-struct Sighting {
+struct VisibleRun {
   std::size_t view = 0;
-  Interval run;  ///< parameters of the edge's segment
-  Segment2
-      segment_px;  ///< its image, pixels of the file; all sightings of an edge have one direction
+  Interval run;         ///< parameters of the edge's segment
+  Segment2 segment_px;  ///< its image, pixels of the file; all runs of an edge have one direction
   double visible_share = 0.0;  ///< share of the edge's length that the view sees, all runs together
   double contrast = 0.0;       ///< contrast_across() in the image; measure_contrast() sets it
 };
@@ -24,10 +23,10 @@ struct Sighting {
 /// A physical edge as the views show it.
 struct ShownEdge {
   std::string kind;
-  int rank = 0;                     ///< as PhysicalEdge::rank
-  std::vector<Sighting> sightings;  ///< by view, then along the edge
+  int rank = 0;                  ///< as PhysicalEdge::rank
+  std::vector<VisibleRun> runs;  ///< by view, then along the edge
 
-  [[nodiscard]] std::vector<Sighting> in_view(std::size_t view) const;
+  [[nodiscard]] std::vector<VisibleRun> in_view(std::size_t view) const;
 };
 
 /// All physical edges of a scene with all that the views see of them by the surfaces alone,
@@ -36,14 +35,14 @@ std::vector<ShownEdge> shown_edges(const Scene& scene,
                                    const SurfaceOracle& oracle,
                                    const ReferenceOptions& options = {});
 
-/// Measures the contrast of all sightings in a view. `village`: what its image shows of the
+/// Measures the contrast of all runs in a view. `village`: what its image shows of the
 /// village.
 void measure_contrast(std::size_t view, const ImageWindow& village, std::span<ShownEdge> edges);
 
-/// Whether a sighting is long enough and has enough contrast.
-bool is_clear(const Sighting& sighting, const ReferenceOptions& options);
+/// Whether a run is long enough and has enough contrast.
+bool is_clear(const VisibleRun& run, const ReferenceOptions& options);
 
-/// The edges without those that coincide in all their sightings, within a pixel, with an edge of
+/// The edges without those that coincide in all their runs, within a pixel, with an edge of
 /// lower rank or a longer one of equal rank. Ordered by the first view that shows them and there
 /// from left to right by their first point.
 std::vector<ShownEdge> without_duplicates(std::vector<ShownEdge> edges);

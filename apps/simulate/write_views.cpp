@@ -91,8 +91,8 @@ io::LineSet seen_by_views(const simulate::Scene& scene,
   const std::vector<std::vector<double>> shares = simulate::visible_shares(scene, oracle);
   for (std::size_t i = 0; i < truth.lines.size(); ++i) {
     constexpr double kHalf = 0.5;
-    truth.lines[i].visible_left = shares[i][0];
-    truth.lines[i].visible_right = shares[i][1];
+    truth.lines[i].visible_base = shares[i][0];
+    truth.lines[i].visible_other = shares[i][1];
     if (!have_tracks(views.size())) continue;
     truth.lines[i].n_images = static_cast<int>(
         std::ranges::count_if(shares[i], [](double share) { return share >= kHalf; }));

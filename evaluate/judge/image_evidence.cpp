@@ -11,12 +11,12 @@ namespace ridgeline::evaluate {
 namespace {
 
 Eigen::Vector3d at_height(const ImageEvidence& images, const Eigen::Vector2d& x_px, double z_m) {
-  return point_on_plane(images.sightings[0].image_from_local, x_px,
+  return point_on_plane(images.base().image_from_local, x_px,
                         Plane3(Eigen::Vector3d::UnitZ(), -z_m));
 }
 
 Segment3 at_height(const ImageEvidence& images, double z_m) {
-  const Segment2& base = images.sightings[0].px;
+  const Segment2& base = images.base().px;
   return {at_height(images, base.start, z_m), at_height(images, base.end, z_m)};
 }
 
@@ -56,7 +56,7 @@ std::vector<Sample> first_hits(const PointSearch& search,
                                const ImageEvidence& images,
                                int n_samples,
                                double radius_m) {
-  const Segment2& base = images.sightings[0].px;
+  const Segment2& base = images.base().px;
   const auto [low, high] = images.height_range_m;
   const auto share = [&](int i) { return (i + 0.5) / n_samples; };
   std::vector<Ray> rays;
@@ -136,29 +136,29 @@ std::vector<Sample> consensus(const std::vector<Sample>& samples) {
   return best;
 }
 
-/// Mean of the squared distances of both ends of `x` from the straight line of `sighting`, pixels
-/// squared.
-double across_px2(const ImageSighting& sighting, const Segment3& x) {
-  const Eigen::Vector2d along = (sighting.px.end - sighting.px.start).normalized();
+/// Mean of the squared distances of both ends of `x` from the straight line of `observation`,
+/// pixels squared.
+double across_px2(const ImageObservation& observation, const Segment3& x) {
+  const Eigen::Vector2d along = (observation.px.end - observation.px.start).normalized();
   double sum = 0.0;
   for (const Eigen::Vector3d& end : {x.start, x.end}) {
-    const Eigen::Vector2d off = project(sighting.image_from_local, end) - sighting.px.start;
+    const Eigen::Vector2d off = project(observation.image_from_local, end) - observation.px.start;
     sum += 0.5 * std::pow(off.x() * along.y() - off.y() * along.x(), 2);
   }
   return sum;
 }
 
-/// Sum over the sightings from `first` on, but those in the image of the base.
+/// Sum over the observations from `first` on, but those in the image of the base.
 double chi_square_from(const ImageEvidence& images,
                        std::size_t first,
                        const Segment3& x,
                        double sigma_px) {
   constexpr double kMaxChiSquare = 25.0;
   double sum = 0.0;
-  for (std::size_t i = first; i < images.sightings.size(); ++i) {
-    const ImageSighting& sighting = images.sightings[i];
-    if (sighting.image_from_local == images.sightings[0].image_from_local) continue;
-    const double chi_square = across_px2(sighting, x) / (sigma_px * sigma_px);
+  for (std::size_t i = first; i < images.observations.size(); ++i) {
+    const ImageObservation& observation = images.observations[i];
+    if (observation.image_from_local == images.base().image_from_local) continue;
+    const double chi_square = across_px2(observation, x) / (sigma_px * sigma_px);
     sum += chi_square < kMaxChiSquare ? chi_square : kMaxChiSquare;  // also for NaN
   }
   return sum;
@@ -177,40 +177,40 @@ std::optional<Segment3> monoplot(const PointSearch& search, const ImageEvidence&
   const std::vector<Sample> inliers = consensus(first_hits(search, images, n_samples, radius_m));
   if (static_cast<double>(inliers.size()) < kMinShare * n_samples) return std::nullopt;
   const HeightLine line = regression(inliers);
-  const Segment2& base = images.sightings[0].px;
+  const Segment2& base = images.base().px;
   const Segment3 seen{at_height(images, base.start, line.at(0.0)),
                       at_height(images, base.end, line.at(1.0))};
   if (!all_finite(seen) || !(length(plan(seen)) > 0.0)) return std::nullopt;
   return seen;
 }
 
-bool has_independent_sighting(const ImageEvidence& images) {
+bool has_independent_observation(const ImageEvidence& images) {
   constexpr double kMinAngle_rad = 10.0 * kRadPerDeg;
   const auto centre = [&](std::size_t i) -> Eigen::Vector3d {
-    return projection_centre(images.sightings[i].image_from_local).hnormalized();
+    return projection_centre(images.observations[i].image_from_local).hnormalized();
   };
   const Eigen::Vector3d base = centre(1) - centre(0);
-  for (std::size_t i = 2; i < images.sightings.size(); ++i) {
+  for (std::size_t i = 2; i < images.observations.size(); ++i) {
     const Eigen::Vector3d to_other = centre(i) - centre(0);
     if (to_other.norm() > 0.0 && acute_angle_rad(base, to_other) >= kMinAngle_rad) return true;
   }
   return false;
 }
 
-double sightings_chi_square(const ImageEvidence& images, const Plane3& plane, double sigma_px) {
-  const ImageSighting& base = images.sightings[0];
+double observations_chi_square(const ImageEvidence& images, const Plane3& plane, double sigma_px) {
+  const ImageObservation& base = images.base();
   return chi_square_from(images, 1,
                          {point_on_plane(base.image_from_local, base.px.start, plane),
                           point_on_plane(base.image_from_local, base.px.end, plane)},
                          sigma_px);
 }
 
-double sightings_chi_square(const ImageEvidence& images, double sigma_px) {
-  const ImageSighting& other = images.sightings[1];
+double observations_chi_square(const ImageEvidence& images, double sigma_px) {
+  const ImageObservation& other = images.other();
   const Eigen::Vector3d join = other.px.start.homogeneous().cross(other.px.end.homogeneous());
   const Eigen::Vector4d viewing = other.image_from_local.transpose() * join;
   const Plane3 plane(viewing.head<3>().normalized(), viewing.w() / viewing.head<3>().norm());
-  const ImageSighting& base = images.sightings[0];
+  const ImageObservation& base = images.base();
   return chi_square_from(images, 2,
                          {point_on_plane(base.image_from_local, base.px.start, plane),
                           point_on_plane(base.image_from_local, base.px.end, plane)},

@@ -20,15 +20,16 @@ std::optional<Segment3> monoplot(const PointSearch& search, const ImageEvidence&
 
 /// Whether an image after the first two says something that they do not: its projection centre lies
 /// 10 degrees off the base of these two, seen from the first.
-bool has_independent_sighting(const ImageEvidence& images);
+bool has_independent_observation(const ImageEvidence& images);
 
-/// How far the sightings are from where a plane carries the base sighting, across them, in units of
-/// sigma_px squared: mean of both ends, sum over the other images. A single sighting counts 25 at
-/// most, as it may be of another edge.
-double sightings_chi_square(const ImageEvidence& images, const Plane3& plane, double sigma_px);
+/// How far the observations are from where a plane carries the base observation, across them, in
+/// units of sigma_px squared: mean of both ends, sum over the other images. A single observation
+/// counts 25 at most, as it may be of another edge.
+double observations_chi_square(const ImageEvidence& images, const Plane3& plane, double sigma_px);
 
-/// The same of the line that the first two sightings triangulate to, over the images after these.
-double sightings_chi_square(const ImageEvidence& images, double sigma_px);
+/// The same of the line that the first two observations triangulate to, over the images after
+/// these.
+double observations_chi_square(const ImageEvidence& images, double sigma_px);
 
 /// Plan views of the base segment at heights from the lowest to the highest: the points that
 /// monoplot() may need lie within `spacing_m` of them.

@@ -71,11 +71,11 @@ double log_images(const SurfaceHypothesis& h,
                   const JudgeOptions& options) {
   double sum = 0.0;
   for (const std::size_t i : h.planes) {
-    sum += sightings_chi_square(images, candidates[i].fit.plane, options.sigma_edge_px);
+    sum += observations_chi_square(images, candidates[i].fit.plane, options.sigma_edge_px);
   }
   if (h.planes.empty()) {
     return std::log(place_densities(options).object) -
-           0.5 * sightings_chi_square(images, options.sigma_edge_px);
+           0.5 * observations_chi_square(images, options.sigma_edge_px);
   }
   return -0.5 * sum / static_cast<double>(h.planes.size());
 }
@@ -218,7 +218,7 @@ std::vector<SurfaceEvidence> surface_evidence(std::span<const SurfaceHypothesis>
                                               const Segment3& segment,
                                               const std::optional<ImageEvidence>& images,
                                               const JudgeOptions& options) {
-  const bool seen = images && has_independent_sighting(*images);
+  const bool seen = images && has_independent_observation(*images);
   std::vector<SurfaceEvidence> all;
   all.reserve(hypotheses.size());
   for (const SurfaceHypothesis& h : hypotheses) {

@@ -21,14 +21,14 @@ struct SurfaceEvidence {
 /// The evidence for each hypothesis.
 ///
 ///   - plan: a linear function of PlanTerm.
-///   - images, where a third sighting lies off the base of the first two: each plane carries the
-///     base sighting into every other image, an object carries the line that the first two
-///     sightings triangulate to into the others; what counts are the distances from the sightings
-///     over sigma_edge_px.
+///   - images, where a third observation lies off the base of the first two: each plane carries the
+///     base observation into every other image, an object carries the line that the first two
+///     observations triangulate to into the others; what counts are the distances from the
+///     observations over sigma_edge_px.
 ///   - points: those along an object that no plane explains.
 ///   - place, where the images do not count: the distance of the line over place_sigma_m and the
-///     plane's sigma, against a wrong line that may be anywhere. Two sightings only triangulate to
-///     the line, so they are no evidence beside it. It says nothing of an object.
+///     plane's sigma, against a wrong line that may be anywhere. Two observations only triangulate
+///     to the line, so they are no evidence beside it. It says nothing of an object.
 std::vector<SurfaceEvidence> surface_evidence(std::span<const SurfaceHypothesis> hypotheses,
                                               std::span<const CandidatePlane> candidates,
                                               const Segment3& segment,

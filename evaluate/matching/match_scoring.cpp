@@ -16,8 +16,8 @@ namespace {
 /// Whether a segment continues, in the image `own`, an edge that its mate lies on.
 bool mate_edge_continues(const Segment2& segment,
                          const std::vector<Beside>& of_mate,
-                         std::span<const EdgeInBoth> edges,
-                         Segment2 EdgeInBoth::*own,
+                         std::span<const ReferenceEdge> edges,
+                         Segment2 ReferenceEdge::*own,
                          const MatchScoringOptions& options) {
   return std::any_of(of_mate.begin(), of_mate.end(), [&](const Beside& beside) {
     return continues(segment, edges[beside.edge].*own, options);
@@ -26,8 +26,8 @@ bool mate_edge_continues(const Segment2& segment,
 
 /// The edges that each segment lies on, in ascending order.
 std::vector<std::vector<Beside>> edges_of(std::span<const Segment2> segments,
-                                          std::span<const EdgeInBoth> edges,
-                                          Segment2 EdgeInBoth::*image,
+                                          std::span<const ReferenceEdge> edges,
+                                          Segment2 ReferenceEdge::*image,
                                           const MatchScoringOptions& options) {
   std::vector<std::vector<Beside>> found(segments.size());
   for (std::size_t s = 0; s < segments.size(); ++s) {
@@ -78,11 +78,11 @@ std::vector<std::vector<OnEdge>> segments_of_edges(const std::vector<std::vector
 /// For each right segment, the stretches of edges that its matched left segments lie on.
 using Taken = std::map<int, std::vector<Beside>>;
 
-Taken taken_mates(std::span<const LineMatch> matches,
+Taken taken_mates(std::span<const Correspondence> matches,
                   const std::vector<std::vector<Beside>>& on_left) {
   Taken taken;
-  for (const LineMatch& match : matches) {
-    for (const Beside& beside : on_left[match.left]) taken[match.right].push_back(beside);
+  for (const Correspondence& match : matches) {
+    for (const Beside& beside : on_left[match.base]) taken[match.other].push_back(beside);
   }
   return taken;
 }
@@ -100,32 +100,33 @@ bool is_free(const Taken& taken, int right, const Beside& wanted) {
 struct OnEdges {
   OnEdges(std::span<const Segment2> left_segments,
           std::span<const Segment2> right_segments,
-          std::span<const EdgeInBoth> edges,
+          std::span<const ReferenceEdge> edges,
           const MatchScoringOptions& options)
-      : left(edges_of(left_segments, edges, &EdgeInBoth::left, options)),
-        right(edges_of(right_segments, edges, &EdgeInBoth::right, options)) {}
+      : left(edges_of(left_segments, edges, &ReferenceEdge::base, options)),
+        right(edges_of(right_segments, edges, &ReferenceEdge::other, options)) {}
 
   std::vector<std::vector<Beside>> left, right;
 };
 
-std::vector<EdgeInBoth> entries_of(std::span<const EdgeInBoth> reference, bool wrong_pairs) {
-  std::vector<EdgeInBoth> entries;
+std::vector<ReferenceEdge> entries_of(std::span<const ReferenceEdge> reference, bool wrong_pairs) {
+  std::vector<ReferenceEdge> entries;
   std::copy_if(reference.begin(), reference.end(), std::back_inserter(entries),
-               [&](const EdgeInBoth& entry) { return entry.is_wrong_pair == wrong_pairs; });
+               [&](const ReferenceEdge& entry) { return entry.is_wrong_pair == wrong_pairs; });
   return entries;
 }
 
-MatchVerdict verdict_of(const LineMatch& match,
+MatchVerdict verdict_of(const Correspondence& match,
                         std::span<const Segment2> left,
                         std::span<const Segment2> right,
                         const OnEdges& on_edges,
-                        std::span<const EdgeInBoth> edges,
+                        std::span<const ReferenceEdge> edges,
                         const MatchScoringOptions& options) {
-  const auto& a = on_edges.left[match.left];
-  const auto& b = on_edges.right[match.right];
-  const bool continued =
-      (a.empty() && mate_edge_continues(left[match.left], b, edges, &EdgeInBoth::left, options)) ||
-      (b.empty() && mate_edge_continues(right[match.right], a, edges, &EdgeInBoth::right, options));
+  const auto& a = on_edges.left[match.base];
+  const auto& b = on_edges.right[match.other];
+  const bool continued = (a.empty() && mate_edge_continues(left[match.base], b, edges,
+                                                           &ReferenceEdge::base, options)) ||
+                         (b.empty() && mate_edge_continues(right[match.other], a, edges,
+                                                           &ReferenceEdge::other, options));
   if (continued || (!any_certain(a, options) && !any_certain(b, options))) {
     return MatchVerdict::kUnjudged;
   }
@@ -140,10 +141,10 @@ void add(MatchVerdict verdict, MatchingScore& score) {
 }
 
 /// Left segments without a match that have a free mate on their edge, with that mate.
-std::vector<LineMatch> missed_matches(std::span<const LineMatch> matches,
-                                      const OnEdges& on_edges,
-                                      std::size_t n_edges,
-                                      const MatchScoringOptions& options) {
+std::vector<Correspondence> missed_matches(std::span<const Correspondence> matches,
+                                           const OnEdges& on_edges,
+                                           std::size_t n_edges,
+                                           const MatchScoringOptions& options) {
   const Taken taken = taken_mates(matches, on_edges.left);
   const auto of_edge = segments_of_edges(on_edges.right, n_edges);
   const auto free_mate = [&](const Beside& a) -> std::optional<int> {
@@ -157,8 +158,8 @@ std::vector<LineMatch> missed_matches(std::span<const LineMatch> matches,
     return std::nullopt;
   };
   std::vector<char> is_matched(on_edges.left.size(), 0);
-  for (const LineMatch& match : matches) is_matched[match.left] = 1;
-  std::vector<LineMatch> missed;
+  for (const Correspondence& match : matches) is_matched[match.base] = 1;
+  std::vector<Correspondence> missed;
   for (std::size_t i = 0; i < on_edges.left.size(); ++i) {
     if (is_matched[i] != 0) continue;
     for (const Beside& beside : on_edges.left[i]) {
@@ -171,12 +172,14 @@ std::vector<LineMatch> missed_matches(std::span<const LineMatch> matches,
   return missed;
 }
 
-void check_indices(std::span<const LineMatch> matches, std::size_t n_left, std::size_t n_right) {
-  for (const LineMatch& match : matches) {
-    check(match.left >= 0 && static_cast<std::size_t>(match.left) < n_left,
-          "left_id = ", match.left, ", must be below ", n_left);
-    check(match.right >= 0 && static_cast<std::size_t>(match.right) < n_right,
-          "right_id = ", match.right, ", must be below ", n_right);
+void check_indices(std::span<const Correspondence> matches,
+                   std::size_t n_left,
+                   std::size_t n_right) {
+  for (const Correspondence& match : matches) {
+    check(match.base >= 0 && static_cast<std::size_t>(match.base) < n_left,
+          "left_id = ", match.base, ", must be below ", n_left);
+    check(match.other >= 0 && static_cast<std::size_t>(match.other) < n_right,
+          "right_id = ", match.other, ", must be below ", n_right);
   }
 }
 
@@ -196,20 +199,20 @@ const char* name(MatchVerdict verdict) {
 
 MatchingScore score_matches(std::span<const Segment2> left,
                             std::span<const Segment2> right,
-                            std::span<const LineMatch> matches,
-                            std::span<const EdgeInBoth> reference,
+                            std::span<const Correspondence> matches,
+                            std::span<const ReferenceEdge> reference,
                             const MatchScoringOptions& options) {
   ridgeline::validate(options);
   check_indices(matches, left.size(), right.size());
-  const std::vector<EdgeInBoth> edges = entries_of(reference, false);
-  const std::vector<EdgeInBoth> wrong_pairs = entries_of(reference, true);
+  const std::vector<ReferenceEdge> edges = entries_of(reference, false);
+  const std::vector<ReferenceEdge> wrong_pairs = entries_of(reference, true);
   const OnEdges on_edges(left, right, edges, options);
   const OnEdges on_wrong_pairs(left, right, wrong_pairs, options);
   MatchingScore score;
-  for (const LineMatch& match : matches) {
+  for (const Correspondence& match : matches) {
     MatchVerdict verdict = verdict_of(match, left, right, on_edges, edges, options);
     if (verdict == MatchVerdict::kUnjudged &&
-        have_common_edge(on_wrong_pairs.left[match.left], on_wrong_pairs.right[match.right])) {
+        have_common_edge(on_wrong_pairs.left[match.base], on_wrong_pairs.right[match.other])) {
       verdict = MatchVerdict::kFalse;
     }
     add(verdict, score);
@@ -219,30 +222,30 @@ MatchingScore score_matches(std::span<const Segment2> left,
   return score;
 }
 
-MatchingScore score_matches(std::span<const LineMatch> matches,
-                            std::span<const LineMatch> reference) {
+MatchingScore score_matches(std::span<const Correspondence> matches,
+                            std::span<const Correspondence> reference) {
   std::set<std::pair<int, int>> pairs;
   std::set<int> lefts;
   std::set<int> rights;
-  for (const LineMatch& match : reference) {
-    pairs.insert({match.left, match.right});
-    lefts.insert(match.left);
-    rights.insert(match.right);
+  for (const Correspondence& match : reference) {
+    pairs.insert({match.base, match.other});
+    lefts.insert(match.base);
+    rights.insert(match.other);
   }
   MatchingScore score;
   std::set<int> matched;
-  for (const LineMatch& match : matches) {
-    matched.insert(match.left);
-    if (pairs.contains({match.left, match.right})) {
+  for (const Correspondence& match : matches) {
+    matched.insert(match.base);
+    if (pairs.contains({match.base, match.other})) {
       add(MatchVerdict::kCorrect, score);
-    } else if (lefts.contains(match.left) || rights.contains(match.right)) {
+    } else if (lefts.contains(match.base) || rights.contains(match.other)) {
       add(MatchVerdict::kFalse, score);
     } else {
       add(MatchVerdict::kUnjudged, score);
     }
   }
-  for (const LineMatch& match : reference) {
-    if (matched.insert(match.left).second) score.missed.push_back(match);
+  for (const Correspondence& match : reference) {
+    if (matched.insert(match.base).second) score.missed.push_back(match);
   }
   score.counts.n_missed = score.missed.size();
   return score;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "evaluate/statistics/matching_quality.h"
+#include "reconstruct/geometry/correspondence.h"
 #include "reconstruct/geometry/field.h"
-#include "reconstruct/geometry/line_match.h"
 #include "reconstruct/geometry/segment.h"
 
 #include <cstddef>
@@ -13,14 +13,6 @@
 #include <vector>
 
 namespace ridgeline::evaluate {
-
-/// A true edge: the part of it that is visible in each image, in one direction of travel. Pixels.
-struct EdgeInBoth {
-  Segment2 left, right;
-  /// True: `left` and `right` are known not to show one edge (a match judged false by eye). Such an
-  /// entry makes a match of the two false and says nothing else.
-  bool is_wrong_pair = false;
-};
 
 enum class MatchVerdict : std::uint8_t { kUnjudged, kCorrect, kFalse };
 const char* name(MatchVerdict verdict);  ///< unjudged | correct | false
@@ -46,7 +38,7 @@ struct MatchingScore {
   MatchCounts counts;
   std::size_t n_unjudged = 0;          ///< matches that the reference cannot judge
   std::vector<MatchVerdict> verdicts;  ///< of each match
-  std::vector<LineMatch> missed;       ///< each with a right segment that would be its mate
+  std::vector<Correspondence> missed;  ///< each with a right segment that would be its mate
 };
 
 /// Judges matches by true edges. A segment lies on an edge if the two run side by side over
@@ -69,14 +61,14 @@ struct MatchingScore {
 /// std::invalid_argument for a match whose index is out of range and for options out of range.
 MatchingScore score_matches(std::span<const Segment2> left,
                             std::span<const Segment2> right,
-                            std::span<const LineMatch> matches,
-                            std::span<const EdgeInBoth> edges,
+                            std::span<const Correspondence> matches,
+                            std::span<const ReferenceEdge> edges,
                             const MatchScoringOptions& options = {});
 
 /// Judges matches by a list of the true ones. A match is correct if the list has it, unjudged if
 /// the list has neither of its segments, and else false. A left segment of the list is missed if it
 /// is in no match.
-MatchingScore score_matches(std::span<const LineMatch> matches,
-                            std::span<const LineMatch> reference);
+MatchingScore score_matches(std::span<const Correspondence> matches,
+                            std::span<const Correspondence> reference);
 
 }  // namespace ridgeline::evaluate

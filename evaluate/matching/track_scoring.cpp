@@ -20,12 +20,12 @@ using EdgesBeside = std::map<std::size_t, bool>;
 /// How well an edge fits a track.
 struct EdgeFit {
   std::set<std::size_t> views, certain_views;
-  std::size_t n_sightings = 0;
+  std::size_t n_observations = 0;
 };
 
 std::size_t n_views_of(const TrueEdge& edge) {
   std::set<std::size_t> views;
-  for (const TrueEdge::Run& run : edge.runs) views.insert(run.view);
+  for (const ObservedSegment& run : edge.runs) views.insert(run.view);
   return views.size();
 }
 
@@ -62,7 +62,7 @@ void check_tracks(std::span<const std::vector<Segment2>> segments_by_view,
                   std::span<const Track> tracks,
                   std::span<const TrueEdge> edges) {
   for (const Track& track : tracks) {
-    for (const Sighting& s : track.seen) {
+    for (const Observation& s : track.observations) {
       check(s.view < segments_by_view.size(), "view = ", s.view, ", must be below ",
             segments_by_view.size());
       check(s.segment >= 0 && static_cast<std::size_t>(s.segment) < segments_by_view[s.view].size(),
@@ -79,9 +79,9 @@ EdgesBeside edges_beside(std::size_t view,
                          const MatchScoringOptions& options) {
   EdgesBeside found;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    for (const TrueEdge::Run& run : edges[e].runs) {
+    for (const ObservedSegment& run : edges[e].runs) {
       if (run.view != view) continue;
-      const std::optional<Beside> beside = lies_on(segment, run.segment, options);
+      const std::optional<Beside> beside = lies_on(segment, run.px, options);
       if (beside) found[e] = found[e] || is_certain(*beside, options);
     }
   }
@@ -90,12 +90,12 @@ EdgesBeside edges_beside(std::size_t view,
 
 std::map<std::size_t, EdgeFit> fits_of(const Track& track, const std::vector<EdgesBeside>& beside) {
   std::map<std::size_t, EdgeFit> fits;
-  for (std::size_t s = 0; s < track.seen.size(); ++s) {
+  for (std::size_t s = 0; s < track.observations.size(); ++s) {
     for (const auto& [edge, certain] : beside[s]) {
       EdgeFit& fit = fits[edge];
-      fit.views.insert(track.seen[s].view);
-      if (certain) fit.certain_views.insert(track.seen[s].view);
-      ++fit.n_sightings;
+      fit.views.insert(track.observations[s].view);
+      if (certain) fit.certain_views.insert(track.observations[s].view);
+      ++fit.n_observations;
     }
   }
   return fits;
@@ -106,26 +106,26 @@ std::optional<std::size_t> edge_of(const std::map<std::size_t, EdgeFit>& fits) {
   for (const auto& [edge, fit] : fits) {
     if (fit.certain_views.empty()) continue;
     const auto rank = [](const EdgeFit& f) {
-      return std::pair(f.certain_views.size(), f.n_sightings);
+      return std::pair(f.certain_views.size(), f.n_observations);
     };
     if (!best || rank(fit) > rank(fits.at(*best))) best = edge;
   }
   return best;
 }
 
-MatchVerdict verdict_of_sighting(std::size_t view,
-                                 const Segment2& segment,
-                                 const EdgesBeside& beside,
-                                 std::size_t edge,
-                                 const TrueEdge& truth,
-                                 const MatchScoringOptions& options) {
+MatchVerdict verdict_of_observation(std::size_t view,
+                                    const Segment2& segment,
+                                    const EdgesBeside& beside,
+                                    std::size_t edge,
+                                    const TrueEdge& truth,
+                                    const MatchScoringOptions& options) {
   if (beside.contains(edge)) return MatchVerdict::kCorrect;
   if (!beside.empty()) return MatchVerdict::kFalse;
   bool is_shown = false;
-  for (const TrueEdge::Run& run : truth.runs) {
+  for (const ObservedSegment& run : truth.runs) {
     if (run.view != view) continue;
     is_shown = true;
-    if (continues(segment, run.segment, options)) return MatchVerdict::kUnjudged;
+    if (continues(segment, run.px, options)) return MatchVerdict::kUnjudged;
   }
   return is_shown ? MatchVerdict::kFalse : MatchVerdict::kUnjudged;
 }
@@ -142,7 +142,7 @@ TracksScore score_tracks(std::span<const std::vector<Segment2>> segments_by_view
   std::vector<std::set<std::size_t>> found_views(edges.size());
   for (const Track& track : tracks) {
     std::vector<EdgesBeside> beside;
-    for (const Sighting& s : track.seen)
+    for (const Observation& s : track.observations)
       beside.push_back(edges_beside(s.view, segments_by_view[s.view][s.segment], edges, options));
     const std::map<std::size_t, EdgeFit> fits = fits_of(track, beside);
     for (const auto& [edge, fit] : fits) {
@@ -150,11 +150,11 @@ TracksScore score_tracks(std::span<const std::vector<Segment2>> segments_by_view
     }
     std::vector<MatchVerdict>& verdicts = score.verdicts.emplace_back();
     const std::optional<std::size_t> own = edge_of(fits);
-    for (std::size_t s = 0; s < track.seen.size(); ++s) {
-      const Sighting& seen = track.seen[s];
+    for (std::size_t s = 0; s < track.observations.size(); ++s) {
+      const Observation& seen = track.observations[s];
       const MatchVerdict verdict =
-          own ? verdict_of_sighting(seen.view, segments_by_view[seen.view][seen.segment], beside[s],
-                                    *own, edges[*own], options)
+          own ? verdict_of_observation(seen.view, segments_by_view[seen.view][seen.segment],
+                                       beside[s], *own, edges[*own], options)
               : MatchVerdict::kUnjudged;
       verdicts.push_back(verdict);
       if (verdict == MatchVerdict::kUnjudged) {

@@ -15,11 +15,7 @@ namespace ridgeline::evaluate {
 
 /// A true edge: its visible runs in the views that show it, at least two views. Pixels.
 struct TrueEdge {
-  struct Run {
-    std::size_t view = 0;
-    Segment2 segment;
-  };
-  std::vector<Run> runs;
+  std::vector<ObservedSegment> runs;
   bool is_aligned = false;  ///< along the epipolar lines of every pair of its views
 };
 
@@ -27,19 +23,19 @@ struct TrueEdge {
 struct TracksScore {
   /// The figures of each class and number of images, see TrackCell.
   std::vector<TrackCell> cells;
-  std::size_t n_unjudged = 0;                       ///< sightings
-  std::vector<std::vector<MatchVerdict>> verdicts;  ///< of each sighting of each track
+  std::size_t n_unjudged = 0;                       ///< observations
+  std::vector<std::vector<MatchVerdict>> verdicts;  ///< of each observation of each track
 };
 
 /// Judges tracks by true edges. A segment lies on an edge as in score_matches().
 /// The edge of a track is the one that it certainly lies on in most views; of several, the one that
-/// most of its sightings lie on, then the first one. The sightings of a track without an edge are
-/// unjudged (texture, shadows). Of the others
+/// most of its observations lie on, then the first one. The observations of a track without an edge
+/// are unjudged (texture, shadows). Of the others
 ///   correct   lie on a run of the track's edge;
 ///   unjudged  lie on no edge, in a view that has no run of the track's edge or where they continue
 ///             one beyond its visible part by at most its length;
 ///   false     are all others.
-/// An edge is found if sightings of one track lie on it in two views at least; the views of such
+/// An edge is found if observations of one track lie on it in two views at least; the views of such
 /// tracks are found, too. An edge that no segment shows counts as missed: the figures include the
 /// extraction of segments. Throws std::invalid_argument for a view or a segment out of range and
 /// for an edge in fewer than two views.

@@ -44,7 +44,7 @@ Eigen::Vector3d along_ray(const ProjectionMatrix& camera, const Eigen::Vector3d&
 
 /// What a false match would show in place of `seen`: the projection of the moved line with the
 /// residual of the line itself.
-Segment2 false_match(const ImageSighting& seen, const Segment3& line, const Segment3& moved) {
+Segment2 false_match(const ImageObservation& seen, const Segment3& line, const Segment3& moved) {
   Segment2 before = project(seen.image_from_local, line);
   Segment2 after = project(seen.image_from_local, moved);
   if ((seen.px.end - seen.px.start).dot(before.end - before.start) < 0.0) {
@@ -63,7 +63,7 @@ std::optional<JudgedLine> matched_falsely(const JudgedLine& line, double up_m) {
   constexpr double kMaxShiftPerHeight = 10.0;
   if (!line.images) return std::nullopt;
   JudgedLine decoy = line;
-  std::vector<ImageSighting>& seen = decoy.images->sightings;
+  std::vector<ImageObservation>& seen = decoy.images->observations;
   const ProjectionMatrix& base = seen.front().image_from_local;
   decoy.segment = {along_ray(base, line.segment.start, up_m),
                    along_ray(base, line.segment.end, up_m)};
@@ -71,7 +71,7 @@ std::optional<JudgedLine> matched_falsely(const JudgedLine& line, double up_m) {
                                      (decoy.segment.end - line.segment.end).norm());
   const bool is_near = farthest_m <= kMaxShiftPerHeight * std::abs(up_m);  // false for NaN
   if (!is_near || !all_in_range(decoy.segment, line.images->height_range_m)) return std::nullopt;
-  for (ImageSighting& other : std::span(seen).subspan(1)) {
+  for (ImageObservation& other : std::span(seen).subspan(1)) {
     other.px = false_match(other, line.segment, decoy.segment);
     if (!other.px.start.allFinite() || !other.px.end.allFinite()) return std::nullopt;
   }
@@ -83,7 +83,7 @@ JudgedLine moved_with_cameras(JudgedLine line, const Eigen::Vector2d& by_m) {
   const Eigen::Vector3d by(by_m.x(), by_m.y(), 0.0);
   line.segment = moved_by(line.segment, by);
   if (!line.images) return line;
-  for (ImageSighting& seen : line.images->sightings) {
+  for (ImageObservation& seen : line.images->observations) {
     seen.image_from_local = image_from_local(seen.image_from_local, -by);
   }
   return line;

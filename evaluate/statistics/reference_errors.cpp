@@ -62,7 +62,7 @@ std::vector<ReferenceImage> reference_images(std::span<const JudgedLine> lines,
   std::vector<ReferenceImage> images;
   for (const JudgedLine& line : lines) {
     if (!line.images) continue;
-    const ProjectionMatrix& p = line.images->sightings[0].image_from_local;
+    const ProjectionMatrix& p = line.images->base().image_from_local;
     const auto is_of_p = [&](const ReferenceImage& i) { return i.image_from_local == p; };
     if (std::none_of(images.begin(), images.end(), is_of_p)) {
       images.push_back(reference_image(p, references));
@@ -75,8 +75,8 @@ std::optional<std::size_t> reference_of(const ImageEvidence& line,
                                         const ReferenceImage& base,
                                         std::span<const ReferenceLine> references,
                                         const ReferenceOptions& options) {
-  const Segment2& on_base = line.sightings[0].px;
-  const ImageSighting& other = line.sightings[1];
+  const Segment2& on_base = line.base().px;
+  const ImageObservation& other = line.other();
   std::optional<std::size_t> best;
   double nearest_px = options.max_distance_px;
   for (const std::size_t r : base.by_place.near(on_base, kBeyondEnds_px + nearest_px)) {
@@ -301,7 +301,7 @@ std::vector<std::optional<std::size_t>> reference_of_each(std::span<const Judged
     if (!lines[i].images) return;
     const ImageEvidence& line = *lines[i].images;
     const auto base = std::find_if(images.begin(), images.end(), [&](const ReferenceImage& image) {
-      return image.image_from_local == line.sightings[0].image_from_local;
+      return image.image_from_local == line.base().image_from_local;
     });
     if (base != images.end()) result[i] = reference_of(line, *base, references, options);
   });

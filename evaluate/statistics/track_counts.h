@@ -10,14 +10,14 @@
 
 namespace ridgeline::evaluate {
 
-/// Numbers of true edges that two images or more show, and of their sightings.
+/// Numbers of true edges that two images or more show, and of their observations.
 struct TrackCounts {
   std::size_t n_edges = 0, n_edges_found = 0;
   std::size_t n_shown = 0, n_shown_found = 0;  ///< images that show an edge, summed over the edges
-  std::size_t n_right = 0, n_wrong = 0;        ///< sightings of the tracks of these edges
+  std::size_t n_right = 0, n_wrong = 0;        ///< observations of the tracks of these edges
 
   /// Share of the edges that a track shows, of their images in such tracks, of the tracks'
-  /// sightings that are right; empty for a denominator of 0.
+  /// observations that are right; empty for a denominator of 0.
   [[nodiscard]] std::optional<double> edge_recall() const { return share(n_edges_found, n_edges); }
   [[nodiscard]] std::optional<double> sighting_recall() const {
     return share(n_shown_found, n_shown);

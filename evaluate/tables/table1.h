@@ -22,7 +22,7 @@ struct Table1Row {
 struct PatchTracks {
   std::string patch;
   std::vector<TrackCell> cells;
-  std::size_t n_unjudged = 0;  ///< sightings that the reference says nothing about
+  std::size_t n_unjudged = 0;  ///< observations that the reference says nothing about
 };
 
 /// Quality of line matching (Ok et al. 2011, Table 1), by number of matches, and of tracks over

@@ -28,14 +28,14 @@ constexpr std::array kTextAttributes{TextAttribute{"id", &Line::id},
                                      TextAttribute{"kind", &Line::kind},
                                      TextAttribute{"building", &Line::building},
                                      TextAttribute{"status", &Line::status},
-                                     TextAttribute{"left_id", &Line::left_id},
-                                     TextAttribute{"right_id", &Line::right_id}};
+                                     TextAttribute{"left_id", &Line::base_id},
+                                     TextAttribute{"right_id", &Line::other_id}};
 
-constexpr std::array kSegmentAttributes{SegmentAttribute{"left_px", &Line::left_px},
-                                        SegmentAttribute{"right_px", &Line::right_px}};
+constexpr std::array kSegmentAttributes{SegmentAttribute{"left_px", &Line::base_px},
+                                        SegmentAttribute{"right_px", &Line::other_px}};
 
-constexpr std::array kNumberAttributes{NumberAttribute{"visible_left", &Line::visible_left},
-                                       NumberAttribute{"visible_right", &Line::visible_right}};
+constexpr std::array kNumberAttributes{NumberAttribute{"visible_left", &Line::visible_base},
+                                       NumberAttribute{"visible_right", &Line::visible_other}};
 
 bool is_empty(const json& value) {
   return value.is_null() || (value.is_string() && value.get_ref<const std::string&>().empty());
@@ -104,15 +104,15 @@ Segment2 segment_of(const json& value) {
   return {{ends[0], ends[1]}, {ends[2], ends[3]}};
 }
 
-std::vector<LineSighting> sightings_of(const json& value) {
+std::vector<LineObservation> observations_of(const json& value) {
   constexpr const char* kRule = "must be a list of [\"IMAGE\", x1, y1, x2, y2]";
   const json list = unwrapped(value);
   if (!list.is_array()) throw OtherShape{kRule};
-  return transformed(list, [&](const json& sighting) {
-    if (!sighting.is_array() || sighting.size() != 5 || !sighting[0].is_string())
+  return transformed(list, [&](const json& observation) {
+    if (!observation.is_array() || observation.size() != 5 || !observation[0].is_string())
       throw OtherShape{kRule};
-    return LineSighting{sighting[0].get<std::string>(),
-                        segment_of(json(sighting.begin() + 1, sighting.end()))};
+    return LineObservation{observation[0].get<std::string>(),
+                           segment_of(json(observation.begin() + 1, observation.end()))};
   });
 }
 
@@ -131,7 +131,7 @@ void clear_attribute(std::string_view name, Line& line) {
   if (name == "n_points") line.n_points.reset();
   if (name == "n_images") line.n_images.reset();
   if (name == "plane_ids") line.plane_ids.clear();
-  if (name == "sightings") line.sightings.clear();
+  if (name == "sightings") line.observations.clear();
   if (name == "covariance" || name.starts_with("sigma_")) line.covariance_m2.reset();
   for (const NumberAttribute& attribute : kNumberAttributes) {
     if (name == attribute.name) (line.*attribute.member).reset();
@@ -175,9 +175,9 @@ std::string segment_text(const Segment2& segment_px) {
                      segment_px.end.x(), segment_px.end.y());
 }
 
-std::string sightings_text(const std::vector<LineSighting>& sightings) {
-  return fmt::format("[{}]", fmt::join(transformed(sightings,
-                                                   [](const LineSighting& s) {
+std::string observations_text(const std::vector<LineObservation>& observations) {
+  return fmt::format("[{}]", fmt::join(transformed(observations,
+                                                   [](const LineObservation& s) {
                                                      return fmt::format(
                                                          "[{},{}", json_text(s.image),
                                                          segment_text(s.px).substr(1));
@@ -226,7 +226,7 @@ Line AttributeReader::line_of(const json& properties, const std::string& where) 
   take(values, "plane_ids", where,
        [&](const json& value) { line.plane_ids = plane_ids_of(value); });
   take(values, "sightings", where,
-       [&](const json& value) { line.sightings = sightings_of(value); });
+       [&](const json& value) { line.observations = observations_of(value); });
   for (const NumberAttribute& attribute : kNumberAttributes) {
     take(values, attribute.name, where,
          [&](const json& value) { line.*attribute.member = number_of(value); });

@@ -28,7 +28,7 @@ struct SegmentAttribute {
 };
 std::span<const SegmentAttribute> segment_attributes();
 std::string segment_text(const Segment2& segment_px);
-std::string sightings_text(const std::vector<LineSighting>& sightings);
+std::string observations_text(const std::vector<LineObservation>& observations);
 
 /// An attribute that is a plain number.
 struct NumberAttribute {

@@ -20,7 +20,7 @@
 namespace ridgeline::io {
 
 /// The segment that an image shows of a line.
-struct LineSighting {
+struct LineObservation {
   std::string image;  ///< id of the image in its patch
   Segment2 px;        ///< ideal pixels
 };
@@ -38,17 +38,20 @@ struct Line {
   std::string kind;      ///< ridge | hip | valley | eave | verge | ground (true lines)
   std::string building;  ///< building id: the cluster of the bootstrap
   std::string status;
-  std::string left_id, right_id;  ///< ids of its image segments
-  /// Ends of the image segments in the base and in the other image from which the line was made,
-  /// ideal pixels. Right segments in our own files may have been moved across their direction
-  /// (compare_profiles()).
-  std::optional<Segment2> left_px, right_px;
-  /// All image segments of a line that was made from three images or more, in files [["IMAGE", x1,
-  /// y1, x2, y2], ...].
-  std::vector<LineSighting> sightings;
+  /// Ids of its segments in the first two images of the patch, the base and the other one; in files
+  /// `left_id`, `right_id`.
+  std::string base_id, other_id;
+  /// Ends of these segments from which the line was made, ideal pixels; in files `left_px`,
+  /// `right_px`. Segments of the other image in our own files may have been moved across their
+  /// direction (compare_profiles()).
+  std::optional<Segment2> base_px, other_px;
+  /// All image segments of a line that was made from three images or more, in files `sightings`,
+  /// [["IMAGE", x1, y1, x2, y2], ...].
+  std::vector<LineObservation> observations;
   std::optional<double> epipolar_angle_deg;
-  /// Share of the length of a true line that the base and the other image show, 0..1.
-  std::optional<double> visible_left, visible_right;
+  /// Share of the length of a true line that the base and the other image show, 0..1; in files
+  /// `visible_left`, `visible_right`.
+  std::optional<double> visible_base, visible_other;
   std::optional<int> n_points;  ///< artificial points used
   std::optional<int> n_images;  ///< supporting images (Line3D++, LIMAP)
   /// Covariance of (start, end) in world axes, m^2.

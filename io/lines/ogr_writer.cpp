@@ -148,8 +148,8 @@ class OgrWriter : public LineWriter {
       if (!segment) continue;
       feature.SetField(std::string(attribute.name).c_str(), segment_text(*segment).c_str());
     }
-    if (!line.sightings.empty())
-      feature.SetField("sightings", sightings_text(line.sightings).c_str());
+    if (!line.observations.empty())
+      feature.SetField("sightings", observations_text(line.observations).c_str());
     if (line.covariance_m2) {
       feature.SetField("covariance", covariance_text(*line.covariance_m2).c_str());
     }

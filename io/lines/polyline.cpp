@@ -30,7 +30,7 @@ std::vector<Segment3> segments_of(const std::vector<Vertices>& parts, std::size_
 
 std::size_t text_bytes(const Line& line) {
   return line.id.size() + line.line_class.size() + line.method.size() + line.kind.size() +
-         line.building.size() + line.status.size() + line.left_id.size() + line.right_id.size() +
+         line.building.size() + line.status.size() + line.base_id.size() + line.other_id.size() +
          sizeof(int) * line.plane_ids.size();
 }
 

@@ -18,11 +18,11 @@ constexpr std::array<const char*, 4> kEnds{"x1_px", "y1_px", "x2_px", "y2_px"};
 /// Refuses a table with a pair of ids that occurs twice, by an IoError.
 class UniquePairs {
  public:
-  void add(const CsvTable& table, std::size_t row, const LineMatch& match) {
-    const auto [it, is_new] = seen_.try_emplace({match.left, match.right}, row);
+  void add(const CsvTable& table, std::size_t row, const Correspondence& match) {
+    const auto [it, is_new] = seen_.try_emplace({match.base, match.other}, row);
     if (is_new) return;
     throw IoError(table.place_of(row),
-                  fmt::format("the match {}, {} occurs twice; first in {}", match.left, match.right,
+                  fmt::format("the match {}, {} occurs twice; first in {}", match.base, match.other,
                               table.place_of(it->second)));
   }
 
@@ -30,10 +30,10 @@ class UniquePairs {
   std::map<std::pair<int, int>, std::size_t> seen_;
 };
 
-std::vector<LineMatch> pairs_of(const CsvTable& table) {
+std::vector<Correspondence> pairs_of(const CsvTable& table) {
   const std::size_t left = table.column("left_id");
   const std::size_t right = table.column("right_id");
-  std::vector<LineMatch> pairs;
+  std::vector<Correspondence> pairs;
   UniquePairs unique;
   for (std::size_t row = 0; row < table.size(); ++row) {
     pairs.push_back({table.index(row, left), table.index(row, right)});
@@ -73,8 +73,8 @@ std::vector<ReferenceEdge> edges_of(const CsvTable& table) {
     ReferenceEdge edge;
     edge.id = table.text(row, id);
     if (table.has("kind")) edge.kind = table.text(row, table.column("kind"));
-    edge.left = segment_of(table, row, left);
-    edge.right = segment_of(table, row, right);
+    edge.base = segment_of(table, row, left);
+    edge.other = segment_of(table, row, right);
     edge.is_wrong_pair = is_wrong_pair(table, row);
     edges.push_back(std::move(edge));
   }
@@ -87,27 +87,22 @@ std::string pixel_text(const Segment2& s) {
 
 }  // namespace
 
-void write_matches(const std::string& path, std::span<const FoundMatch> matches) {
+void write_matches(const std::string& path, std::span<const Correspondence> matches) {
   std::string text = "left_id,right_id,score,votes,matcher\n";
-  for (const FoundMatch& row : matches) {
-    const ScoredMatch& m = row.scored;
-    text += fmt::format("{},{},{:.4f},{:.3f},{}\n", m.match.left, m.match.right, m.score, m.votes,
-                        row.matcher);
-  }
+  for (const Correspondence& m : matches)
+    text += fmt::format("{},{},{:.4f},{:.3f},{}\n", m.base, m.other, m.score, m.votes, m.matcher);
   write_file(path, text);
 }
 
-std::vector<FoundMatch> read_matches(const std::string& path) {
+std::vector<Correspondence> read_matches(const std::string& path) {
   const CsvTable table(path, Expected::kMatches);
-  const std::vector<LineMatch> pairs = pairs_of(table);
-  std::vector<FoundMatch> rows(pairs.size());
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    rows[row].scored.match = pairs[row];
-    if (table.has("score")) rows[row].scored.score = table.number(row, table.column("score"));
-    if (table.has("votes")) rows[row].scored.votes = table.number(row, table.column("votes"));
-    if (table.has("matcher")) rows[row].matcher = table.text(row, table.column("matcher"));
+  std::vector<Correspondence> matches = pairs_of(table);
+  for (std::size_t row = 0; row < matches.size(); ++row) {
+    if (table.has("score")) matches[row].score = table.number(row, table.column("score"));
+    if (table.has("votes")) matches[row].votes = table.number(row, table.column("votes"));
+    if (table.has("matcher")) matches[row].matcher = table.text(row, table.column("matcher"));
   }
-  return rows;
+  return matches;
 }
 
 ReferenceMatches read_reference_matches(const std::string& path) {
@@ -123,8 +118,8 @@ void write_reference_edges(const std::string& path, std::span<const ReferenceEdg
   }
   text += "\n";
   for (const ReferenceEdge& edge : edges) {
-    text += fmt::format("{},{},{},{}\n", edge.id, edge.kind, pixel_text(edge.left),
-                        pixel_text(edge.right));
+    text += fmt::format("{},{},{},{}\n", edge.id, edge.kind, pixel_text(edge.base),
+                        pixel_text(edge.other));
   }
   write_file(path, text);
 }

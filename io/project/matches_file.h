@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/geometry/line_match.h"
+#include "reconstruct/geometry/correspondence.h"
 #include "reconstruct/geometry/segment.h"
 
 #include <span>
@@ -13,24 +13,15 @@ namespace ridgeline::io {
 
 /// Writes `left_id,right_id,score,votes,matcher`, one row per match; ids are indices of the segment
 /// files. Whole or not at all. Throws IoError.
-void write_matches(const std::string& path, std::span<const FoundMatch> matches);
+void write_matches(const std::string& path, std::span<const Correspondence> matches);
 
 /// Reads matches.csv; columns in any order, of which left_id and right_id must be there, others are
 /// passed over. Throws IoError naming the row for a missing column, an id that is no index or below
 /// 0, and for a pair of ids that occurs twice.
-std::vector<FoundMatch> read_matches(const std::string& path);
-
-/// A true edge with the part of it that is visible in each image, pixels of the files.
-struct ReferenceEdge {
-  std::string id, kind;
-  Segment2 left, right;  ///< both in the same direction of travel
-  /// Whether the two segments were found by eye not to show one edge; a match of them is then
-  /// false.
-  bool is_wrong_pair = false;
-};
+std::vector<Correspondence> read_matches(const std::string& path);
 
 /// What a reference file holds: edges, or pairs of segment ids.
-using ReferenceMatches = std::variant<std::vector<ReferenceEdge>, std::vector<LineMatch>>;
+using ReferenceMatches = std::variant<std::vector<ReferenceEdge>, std::vector<Correspondence>>;
 
 /// Reads reference matches, told by their header: edges
 ///   id,kind,left_x1_px,left_y1_px,left_x2_px,left_y2_px,right_x1_px,...,right_y2_px

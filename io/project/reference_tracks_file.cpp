@@ -39,9 +39,10 @@ std::vector<ReferenceTrack> read_reference_tracks(const std::string& path,
                     fmt::format("image '{}'; must be one of {}", table.text(row, image),
                                 fmt::join(images, ", ")));
     }
-    tracks[place->second].sightings.push_back({static_cast<std::size_t>(view - images.begin()),
-                                               {{table.number(row, x1), table.number(row, y1)},
-                                                {table.number(row, x2), table.number(row, y2)}}});
+    tracks[place->second].observations.push_back(
+        {{static_cast<std::size_t>(view - images.begin()), -1},
+         {{table.number(row, x1), table.number(row, y1)},
+          {table.number(row, x2), table.number(row, y2)}}});
   }
   return tracks;
 }

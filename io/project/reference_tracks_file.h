@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/geometry/segment.h"
+#include "reconstruct/geometry/track.h"
 
 #include <cstddef>
 #include <span>
@@ -10,16 +10,11 @@
 
 namespace ridgeline::io {
 
-/// A visible run of a true edge in one of several images, pixels of the file.
-struct ReferenceSighting {
-  std::size_t view = 0;  ///< place of the image in the list
-  Segment2 segment;
-};
-
-/// A true edge with what the images show of it, all in the same direction of travel.
+/// A true edge with its visible runs in several images, by the places of the images in a list. All
+/// run in the same direction, in pixels of the files.
 struct ReferenceTrack {
   std::string edge, kind;
-  std::vector<ReferenceSighting> sightings;  ///< in the order of the file
+  std::vector<ObservedSegment> observations;  ///< in the order of the file
 };
 
 /// Reads the file that `reference_tracks` names, `edge,image,x1_px,y1_px,x2_px,y2_px`; rows and

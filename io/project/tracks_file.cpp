@@ -32,7 +32,7 @@ void write_tracks(const std::string& path,
                   std::span<const std::string> images) {
   std::string text = "track,image,segment\n";
   for (std::size_t t = 0; t < tracks.size(); ++t) {
-    for (const Sighting& s : tracks[t].seen)
+    for (const Observation& s : tracks[t].observations)
       text += fmt::format("{},{},{}\n", t, images[s.view], s.segment);
   }
   write_file(path, text);
@@ -51,11 +51,12 @@ std::vector<Track> read_tracks(const std::string& path, std::span<const std::str
                     fmt::format("track {}, must be below the number of rows", number));
     }
     if (number >= tracks.size()) tracks.resize(number + 1);
-    tracks[number].seen.push_back({view_of(table, row, std::string(table.text(row, image)), images),
-                                   table.index(row, segment)});
+    tracks[number].observations.push_back(
+        {view_of(table, row, std::string(table.text(row, image)), images),
+         table.index(row, segment)});
   }
   for (std::size_t t = 0; t < tracks.size(); ++t) {
-    const std::vector<Sighting>& seen = tracks[t].seen;
+    const std::vector<Observation>& seen = tracks[t].observations;
     if (seen.size() >= 2 && seen[0].view != seen[1].view) continue;
     throw IoError(path, fmt::format("track {} must begin with segments of two images", t));
   }

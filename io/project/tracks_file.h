@@ -9,8 +9,9 @@
 
 namespace ridgeline::io {
 
-/// Writes `track,image,segment`, one row per sighting in the order of the tracks and of their
-/// sightings. A track's number counts from 0, a segment's is its index in the image's segment file.
+/// Writes `track,image,segment`, one row per observation in the order of the tracks and of their
+/// observations. A track's number counts from 0, a segment's is its index in the image's segment
+/// file.
 /// @param images  ids of the views
 /// Whole or not at all. Throws IoError.
 void write_tracks(const std::string& path,

@@ -19,7 +19,7 @@
 namespace ridgeline::results {
 namespace {
 
-using evaluate::ImageSighting;
+using evaluate::ImageObservation;
 using evaluate::JudgedLine;
 
 Segment3 metric_segment(const io::Line& line, const Eigen::Vector3d& unit_m) {
@@ -36,14 +36,11 @@ std::string class_of(const io::Line& line,
 }
 
 /// The segments that the images of the patch show of a line.
-std::vector<ImageSighting> seen_segments(const io::Line& line,
-                                         const LocalFrame& frame,
-                                         const io::PatchFile& patch) {
-  std::vector<io::LineSighting> sightings = line.sightings;
-  if (sightings.empty() && line.left_px && line.right_px)
-    sightings = {{patch.images[0].id, *line.left_px}, {patch.images[1].id, *line.right_px}};
-  std::vector<ImageSighting> seen;
-  for (const io::LineSighting& s : sightings) {
+std::vector<ImageObservation> seen_segments(const io::Line& line,
+                                            const LocalFrame& frame,
+                                            const io::PatchFile& patch) {
+  std::vector<ImageObservation> seen;
+  for (const io::LineObservation& s : observations_of(line, patch)) {
     const auto image = std::ranges::find(patch.images, s.image, &io::PatchImage::id);
     if (image == patch.images.end()) continue;
     seen.push_back({image_from_local(image->image_from_world, frame.origin_m), s.px});
@@ -53,7 +50,7 @@ std::vector<ImageSighting> seen_segments(const io::Line& line,
 
 /// How well two images tell where a line lies: how far its segments are across the epipolar lines,
 /// pixels.
-double across_epipolar_px(const ImageSighting& a, const ImageSighting& b) {
+double across_epipolar_px(const ImageObservation& a, const ImageObservation& b) {
   if (a.image_from_local == b.image_from_local) return -1.0;
   const std::array cameras{a.image_from_local, b.image_from_local};
   return std::sin(epipolar_angle_rad(cameras, a.px, b.px)) * std::min(length(a.px), length(b.px));
@@ -65,14 +62,14 @@ std::optional<evaluate::ImageEvidence> evidence_of(const io::Line& line,
                                                    const LocalFrame& frame,
                                                    const std::optional<io::PatchFile>& patch) {
   if (!patch) return std::nullopt;
-  std::vector<ImageSighting> seen = seen_segments(line, frame, *patch);
+  std::vector<ImageObservation> seen = seen_segments(line, frame, *patch);
   if (seen.size() < 2) return std::nullopt;
   const auto other = std::ranges::max_element(
       seen.begin() + 1, seen.end(), {},
-      [&](const ImageSighting& s) { return across_epipolar_px(seen[0], s); });
+      [&](const ImageObservation& s) { return across_epipolar_px(seen[0], s); });
   if (other->image_from_local == seen[0].image_from_local) return std::nullopt;
   std::rotate(seen.begin() + 1, other, other + 1);
-  return evaluate::ImageEvidence{std::move(seen), io::heights_in_local_m(*patch, frame)};
+  return evaluate::ImageEvidence{{std::move(seen)}, io::heights_in_local_m(*patch, frame)};
 }
 
 JudgedLine judged_line(const io::Line& line,
@@ -132,6 +129,11 @@ std::vector<Segment3> segments_of(const std::vector<evaluate::ReferenceLine>& re
 
 }  // namespace
 
+std::vector<io::LineObservation> observations_of(const io::Line& line, const io::PatchFile& patch) {
+  if (!line.observations.empty() || !line.base_px || !line.other_px) return line.observations;
+  return {{patch.images[0].id, *line.base_px}, {patch.images[1].id, *line.other_px}};
+}
+
 Eigen::Vector3d unit_m_of(const io::LineSet& set) {
   const io::CrsFacts crs = io::describe(set.crs);
   const Eigen::Vector3d unit_m =
@@ -174,7 +176,7 @@ std::vector<JudgedLine> moved(std::vector<JudgedLine> lines, const Eigen::Vector
   for (JudgedLine& line : lines) {
     line.segment = {line.segment.start + by_m, line.segment.end + by_m};
     if (!line.images) continue;
-    for (ImageSighting& seen : line.images->sightings) {
+    for (ImageObservation& seen : line.images->observations) {
       seen.image_from_local = image_from_local(seen.image_from_local, -by_m);
     }
     for (double& height_m : line.images->height_range_m) height_m += by_m.z();
@@ -203,7 +205,7 @@ std::vector<evaluate::ReferenceLine> reference_lines_of(const io::LineSet& set,
                                               line.id));
     }
     const double visible =
-        std::min(line.visible_left.value_or(1.0), line.visible_right.value_or(1.0));
+        std::min(line.visible_base.value_or(1.0), line.visible_other.value_or(1.0));
     references.push_back({in_local, line.kind, visible});
   }
   if (references.empty()) {

@@ -19,6 +19,10 @@ namespace ridgeline::results {
 /// that the set states, else 1.
 Eigen::Vector3d unit_m_of(const io::LineSet& set);
 
+/// All image segments that a line states; those of the first two images of the patch if the line
+/// states no others.
+std::vector<io::LineObservation> observations_of(const io::Line& line, const io::PatchFile& patch);
+
 /// A line of a file in metres of the local frame; `unit_m` is unit_m_of() the file.
 Segment3 segment_in_local(const io::Line& line,
                           const Eigen::Vector3d& unit_m,

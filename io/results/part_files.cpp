@@ -96,14 +96,13 @@ void fields(auto& archive, Some<JudgedBatches> auto& part) {
   all(archive, results, readings);
 }
 
-void fields(auto& archive, Some<evaluate::ImageSighting> auto& sighting) {
-  auto& [image_from_local, px] = sighting;
+void fields(auto& archive, Some<evaluate::ImageObservation> auto& observation) {
+  auto& [image_from_local, px] = observation;
   all(archive, image_from_local, px);
 }
 
 void fields(auto& archive, Some<evaluate::ImageEvidence> auto& images) {
-  auto& [sightings, height_range_m] = images;
-  all(archive, sightings, height_range_m);
+  all(archive, images.observations, images.height_range_m);
 }
 
 void fields(auto& archive, Some<evaluate::JudgedLine> auto& line) {

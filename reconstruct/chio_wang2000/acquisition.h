@@ -3,7 +3,7 @@
 
 #include "reconstruct/chio_wang2000/core.h"
 #include "reconstruct/chio_wang2000/extensions.h"
-#include "reconstruct/geometry/line_match.h"
+#include "reconstruct/geometry/correspondence.h"
 #include "reconstruct/views/scene.h"
 
 #include <functional>
@@ -56,7 +56,7 @@ class Acquisition {
   /// Takes over a match of another matcher, with process 0. If the match is among the candidates,
   /// it can give its height to others. Otherwise it only keeps its two segments from being matched
   /// with others.
-  void accept(const LineMatch& match);
+  void accept(const Correspondence& match);
 
  private:
   [[nodiscard]] bool is_free(int left, const CoreCandidate& candidate) const;

@@ -18,7 +18,7 @@ ChioLine line_of(int left_id,
                  const ChioExtensions& beyond) {
   const CoreCandidate& first = candidates.list[acquired.candidate];
   ChioLine line;
-  line.scored = {{left_id, first.right}, first.similarity, 0.0};
+  line.match = {left_id, first.right, first.similarity};
   line.acquired = acquired;
   line.chain = first.chain;
   std::vector<int> links{first.right};
@@ -37,7 +37,7 @@ ChioResult chio_match(const StereoPair& pair,
                       const ChioOptions& options,
                       const CandidateOptions& candidate_options,
                       const ChioExtensions& beyond,
-                      std::span<const ScoredMatch> given) {
+                      std::span<const Correspondence> given) {
   validate(options);
   const SearchedPair views = searched(pair);
   const std::vector<CoreCandidates> candidates =
@@ -59,8 +59,8 @@ ChioResult chio_match(const StereoPair& pair,
   return result;
 }
 
-std::vector<ScoredMatch> matches_of(const ChioResult& result) {
-  return transformed(result.lines, &ChioLine::scored);
+std::vector<Correspondence> matches_of(const ChioResult& result) {
+  return transformed(result.lines, &ChioLine::match);
 }
 
 }  // namespace ridgeline::reconstruct

@@ -6,7 +6,7 @@
 #include "reconstruct/chio_wang2000/extensions.h"
 #include "reconstruct/chio_wang2000/linked_line.h"
 #include "reconstruct/chio_wang2000/options.h"
-#include "reconstruct/geometry/line_match.h"
+#include "reconstruct/geometry/correspondence.h"
 #include "reconstruct/views/scene.h"
 
 #include <optional>
@@ -17,7 +17,7 @@ namespace ridgeline::reconstruct {
 
 /// A line in object space and how it was acquired.
 struct ChioLine {
-  ScoredMatch scored;          ///< the initial link; its score is the similarity of the look
+  Correspondence match;        ///< the initial link; its score is the similarity of the look
   std::vector<int> fragments;  ///< further right segments linked to it
   Acquired acquired;
   ChainSummary chain;              ///< chain of the initial link
@@ -43,9 +43,9 @@ ChioResult chio_match(const StereoPair& pair,
                       const ChioOptions& options = {},
                       const CandidateOptions& candidate_options = {},
                       const ChioExtensions& beyond = {},
-                      std::span<const ScoredMatch> given = {});
+                      std::span<const Correspondence> given = {});
 
 /// The matches of the lines.
-std::vector<ScoredMatch> matches_of(const ChioResult& result);
+std::vector<Correspondence> matches_of(const ChioResult& result);
 
 }  // namespace ridgeline::reconstruct

@@ -15,7 +15,7 @@ namespace {
 enum class HeightLimit : std::uint8_t { kClose, kRelaxed };
 
 /// A right junction that may show the junction of a left structure.
-struct Correspondence {
+struct SharedJunction {
   int structure = 0;  ///< index of the right structure
   /// Members of the left structure with a mate in the right one, strongest first.
   std::vector<int> members;
@@ -45,8 +45,8 @@ class Iteration {
     return {acquisition_.acquired(), acquisition_.outcomes()};
   }
 
-  ProcessedSegments run_beside(std::span<const ScoredMatch> given) {
-    for (const ScoredMatch& scored : given) acquisition_.accept(scored.match);
+  ProcessedSegments run_beside(std::span<const Correspondence> given) {
+    for (const Correspondence& match : given) acquisition_.accept(match);
     third_and_fourth({HeightLimit::kClose});
     return {acquisition_.acquired(), acquisition_.outcomes()};
   }
@@ -110,8 +110,8 @@ class Iteration {
     return nullptr;
   }
 
-  [[nodiscard]] Correspondence correspondence(const Structure& structure, int right) const {
-    Correspondence found{right, {}, 0.0};
+  [[nodiscard]] SharedJunction shared_junction(const Structure& structure, int right) const {
+    SharedJunction found{right, {}, 0.0};
     std::map<int, double> by_member;
     std::vector<int> used;
     for (const int member : structure.members) {
@@ -128,35 +128,35 @@ class Iteration {
 
   /// The right junctions on the epipolar line of a left junction that have mates of at least two of
   /// its members, best first.
-  [[nodiscard]] std::vector<Correspondence> correspondences(const Structure& structure) const {
+  [[nodiscard]] std::vector<SharedJunction> shared_junctions(const Structure& structure) const {
     std::set<int> right;
     for (const int member : structure.members) {
       for (const CoreCandidate& c : candidates_[member].list) {
         right.insert(right_of_segment_[c.right].begin(), right_of_segment_[c.right].end());
       }
     }
-    std::vector<Correspondence> found;
+    std::vector<SharedJunction> found;
     for (const int r : right) {
       if (epipolar_distance_px(search_.right_from_left.fundamental(), structure.junction_px,
                                right_structures_[r].junction_px) > options_.junction_epipolar_px) {
         continue;
       }
-      found.push_back(correspondence(structure, r));
+      found.push_back(shared_junction(structure, r));
     }
-    std::erase_if(found, [](const Correspondence& c) { return c.members.size() < 2; });
-    std::ranges::stable_sort(found, std::greater{}, [](const Correspondence& c) {
+    std::erase_if(found, [](const SharedJunction& c) { return c.members.size() < 2; });
+    std::ranges::stable_sort(found, std::greater{}, [](const SharedJunction& c) {
       return std::pair(c.members.size(), c.strength);
     });
     return found;
   }
 
-  [[nodiscard]] bool is_ambiguous(const std::vector<Correspondence>& found) const {
+  [[nodiscard]] bool is_ambiguous(const std::vector<SharedJunction>& found) const {
     return by_look_ && found.size() > 1 && found[1].members.size() == found[0].members.size() &&
            found[1].strength > by_look_->max_similarity_ratio * found[0].strength;
   }
 
   void first_and_second(const Structure& structure) {
-    const std::vector<Correspondence> found = correspondences(structure);
+    const std::vector<SharedJunction> found = shared_junctions(structure);
     if (found.empty() || is_ambiguous(found)) return;
     const Structure& right = right_structures_[found.front().structure];
     const std::vector<int>& members = found.front().members;
@@ -213,7 +213,7 @@ ProcessedSegments four_processes(const SearchedPair& pair,
                                  const std::vector<CoreCandidates>& candidates,
                                  const ChioOptions& options,
                                  const ChioExtensions& beyond,
-                                 std::span<const ScoredMatch> given) {
+                                 std::span<const Correspondence> given) {
   Iteration iteration(pair, candidates, options, beyond);
   return given.empty() ? iteration.run() : iteration.run_beside(given);
 }

@@ -40,6 +40,6 @@ ProcessedSegments four_processes(const SearchedPair& pair,
                                  const std::vector<CoreCandidates>& candidates,
                                  const ChioOptions& options,
                                  const ChioExtensions& beyond = {},
-                                 std::span<const ScoredMatch> given = {});
+                                 std::span<const Correspondence> given = {});
 
 }  // namespace ridgeline::reconstruct

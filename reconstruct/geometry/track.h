@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/geometry/line_match.h"
+#include "reconstruct/geometry/correspondence.h"
+#include "reconstruct/geometry/segment.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <compare>
@@ -11,18 +12,35 @@
 
 namespace ridgeline {
 
-/// A segment of one of several views, by their numbers.
-struct Sighting {
+/// A segment of one of several views that shows a line, by their numbers. Segment -1 was not
+/// extracted: it is the projection of a true edge or of an intersection of surfaces.
+struct Observation {
   std::size_t view = 0;
   int segment = 0;
-  friend auto operator<=>(const Sighting&, const Sighting&) = default;
+  friend auto operator<=>(const Observation&, const Observation&) = default;
 };
 
-/// The segments that show one edge. The first two are of different views, the base view of the
-/// track and its best partner. A view that shows the edge in pieces has several.
-struct Track {
-  std::vector<Sighting> seen;
+/// A segment in one of several views, in ideal pixels: all of an extracted segment, a part of it,
+/// or one that was not extracted.
+struct ObservedSegment : Observation {
+  Segment2 px;
 };
+
+/// What several views show of one line. A view that shows the line in pieces has several
+/// observations.
+template <typename Observed>
+struct TrackOf {
+  std::vector<Observed> observations;  ///< base(), other(), then the rest
+
+  /// The observation that gives the line its ends.
+  [[nodiscard]] const Observed& base() const { return observations[0]; }
+  [[nodiscard]] Observed& base() { return observations[0]; }
+  /// The observation of another view that together with base() determines the line best.
+  [[nodiscard]] const Observed& other() const { return observations[1]; }
+  [[nodiscard]] Observed& other() { return observations[1]; }
+};
+
+using Track = TrackOf<Observation>;
 
 /// Two of several views, by their numbers.
 struct ViewPair {
@@ -32,14 +50,14 @@ struct ViewPair {
 /// The matches of a pair of views.
 struct MatchedPair {
   ViewPair views;
-  std::vector<LineMatch> matches;
+  std::vector<Correspondence> matches;
 };
 
 /// The tracks of a pair of views: track i is match i.
 inline std::vector<Track> tracks_of_pair(const ViewPair& views,
-                                         std::span<const LineMatch> matches) {
-  return transformed(matches, [&](const LineMatch& m) {
-    return Track{{{views.base, m.left}, {views.search, m.right}}};
+                                         std::span<const Correspondence> matches) {
+  return transformed(matches, [&](const Correspondence& m) {
+    return Track{{{views.base, m.base}, {views.search, m.other}}};
   });
 }
 

@@ -29,21 +29,21 @@ std::array<double, 2> span_on(const Segment2& line, const Segment2& other) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-double chi_square(const Observation& o, const Eigen::Matrix2d& cov_px2) {
+double chi_square(const PredictionResidual& o, const Eigen::Matrix2d& cov_px2) {
   return o.residual_px.dot(cov_px2.inverse() * o.residual_px);
 }
 
-Observation observe(const UncertainSegment2& own,
-                    const Eigen::Vector2d& heights_m,
-                    const PredictedLine& p,
-                    const UncertainSegment2& seen,
-                    const std::array<double, 2>& at,
-                    double sigma_edge_px) {
+PredictionResidual residual_of(const UncertainSegment2& own,
+                               const Eigen::Vector2d& heights_m,
+                               const PredictedLine& p,
+                               const UncertainSegment2& seen,
+                               const std::array<double, 2>& at,
+                               double sigma_edge_px) {
   const Eigen::Vector2d n = normal(seen.segment);
   const Eigen::Vector2d u = along(seen.segment);
   const double own_length_px = length(own.segment);
   const double own_centroid = parameter_along(own.segment, own.centroid_px);
-  Observation o;
+  PredictionResidual o;
   o.heights_m = heights_m;
   Eigen::Vector2d on_seen;
   Eigen::Vector2d on_own;
@@ -61,10 +61,10 @@ Observation observe(const UncertainSegment2& own,
   return o;
 }
 
-SegmentDepth depth_by(std::span<const Observation> observations) {
+SegmentDepth depth_by(std::span<const PredictionResidual> residuals) {
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
   Eigen::Vector2d weighted = Eigen::Vector2d::Zero();
-  for (const Observation& o : observations) {
+  for (const PredictionResidual& o : residuals) {
     const Eigen::Matrix2d weight = o.by_heights.transpose() * o.cov_px2.inverse();
     information += weight * o.by_heights;
     weighted += weight * (o.by_heights * o.heights_m - o.residual_px);

@@ -32,7 +32,7 @@ PredictedLine predict(const EndStretches& ends, const Eigen::Vector2d& heights_m
 std::array<double, 2> span_on(const Segment2& line, const Segment2& other);
 
 /// How far a prediction is from a segment across it, at two places of the prediction.
-struct Observation {
+struct PredictionResidual {
   Eigen::Vector2d heights_m;  ///< of the prediction
   Eigen::Vector2d residual_px;
   Eigen::Matrix2d by_heights;
@@ -43,20 +43,20 @@ struct Observation {
   }
 };
 
-double chi_square(const Observation& o, const Eigen::Matrix2d& cov_px2);
+double chi_square(const PredictionResidual& o, const Eigen::Matrix2d& cov_px2);
 
 /// @param own            the segment whose line is predicted
 /// @param at             two places as parameters of the prediction
 /// @param sigma_edge_px  of each place, beside those of the two segments
-Observation observe(const UncertainSegment2& own,
-                    const Eigen::Vector2d& heights_m,
-                    const PredictedLine& p,
-                    const UncertainSegment2& seen,
-                    const std::array<double, 2>& at,
-                    double sigma_edge_px);
+PredictionResidual residual_of(const UncertainSegment2& own,
+                               const Eigen::Vector2d& heights_m,
+                               const PredictedLine& p,
+                               const UncertainSegment2& seen,
+                               const std::array<double, 2>& at,
+                               double sigma_edge_px);
 
 /// The heights that observations give together, by least squares. They are not finite if the
 /// observations do not tell them.
-SegmentDepth depth_by(std::span<const Observation> observations);
+SegmentDepth depth_by(std::span<const PredictionResidual> residuals);
 
 }  // namespace ridgeline::reconstruct

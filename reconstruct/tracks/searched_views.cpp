@@ -27,9 +27,9 @@ SearchedViews::SearchedViews(const Scene& scene, std::span<const MatchedPair> pa
     });
   }
   for (const auto& [of_pair, matches] : pairs) {
-    for (const LineMatch& match : matches) {
-      views_[of_pair.base].mate[of_pair.search][static_cast<std::size_t>(match.left)] = match.right;
-      views_[of_pair.search].mate[of_pair.base][static_cast<std::size_t>(match.right)] = match.left;
+    for (const Correspondence& match : matches) {
+      views_[of_pair.base].mate[of_pair.search][static_cast<std::size_t>(match.base)] = match.other;
+      views_[of_pair.search].mate[of_pair.base][static_cast<std::size_t>(match.other)] = match.base;
     }
   }
 }
@@ -39,20 +39,21 @@ bool SearchedViews::shows(std::size_t view, const Eigen::Vector2d& x_px) const {
   return x_px.x() >= 0.0 && x_px.y() >= 0.0 && x_px.x() < image.cols && x_px.y() < image.rows;
 }
 
-EndStretches SearchedViews::stretches(const Sighting& from, std::size_t to) const {
+EndStretches SearchedViews::stretches(const Observation& from, std::size_t to) const {
   const Segment2& s = line(from).segment;
   const EpipolarTransfer& transfer = views_[from.view].to[to];
   return {transfer.stretch(s.start), transfer.stretch(s.end)};
 }
 
-Segment3 SearchedViews::object_segment(const Sighting& s, const Eigen::Vector2d& heights_m) const {
+Segment3 SearchedViews::object_segment(const Observation& s,
+                                       const Eigen::Vector2d& heights_m) const {
   const EpipolarTransfer& transfer = views_[s.view].to[s.view];
   const Segment2& segment = line(s).segment;
   return {transfer.object_point(segment.start, heights_m[0]),
           transfer.object_point(segment.end, heights_m[1])};
 }
 
-SearchedViews::Look SearchedViews::look(const Sighting& a, const Sighting& b) const {
+SearchedViews::Look SearchedViews::look(const Observation& a, const Observation& b) const {
   const int mate_of_a = views_[a.view].mate[b.view][static_cast<std::size_t>(a.segment)];
   const int mate_of_b = views_[b.view].mate[a.view][static_cast<std::size_t>(b.segment)];
   if (mate_of_a == b.segment || mate_of_b == a.segment) return Look::kMatched;

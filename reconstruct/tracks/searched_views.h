@@ -26,7 +26,7 @@ class SearchedViews {
     return scene_.height_range_in_local_m;
   }
   [[nodiscard]] std::size_t n_segments(std::size_t view) const { return views_[view].lines.size(); }
-  [[nodiscard]] const UncertainSegment2& line(const Sighting& s) const {
+  [[nodiscard]] const UncertainSegment2& line(const Observation& s) const {
     return views_[s.view].lines[static_cast<std::size_t>(s.segment)];
   }
   [[nodiscard]] const SegmentIndex& by_place(std::size_t view) const { return views_[view].index; }
@@ -36,14 +36,15 @@ class SearchedViews {
   [[nodiscard]] std::span<const std::size_t> others(std::size_t view) const {
     return views_[view].others;
   }
-  [[nodiscard]] EndStretches stretches(const Sighting& from, std::size_t to) const;
+  [[nodiscard]] EndStretches stretches(const Observation& from, std::size_t to) const;
   /// The points that a view shows at the ends of a segment, at these heights.
-  [[nodiscard]] Segment3 object_segment(const Sighting& s, const Eigen::Vector2d& heights_m) const;
+  [[nodiscard]] Segment3 object_segment(const Observation& s,
+                                        const Eigen::Vector2d& heights_m) const;
 
   enum class Look { kUnknown, kMatched, kMatchedElsewhere };
   /// Whether two segments were matched by their look, or one of them with another segment of that
   /// view.
-  [[nodiscard]] Look look(const Sighting& a, const Sighting& b) const;
+  [[nodiscard]] Look look(const Observation& a, const Observation& b) const;
 
  private:
   struct SearchedView {

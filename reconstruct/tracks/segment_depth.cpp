@@ -22,7 +22,7 @@ constexpr double kChiSquare2 = 13.816;  // 99.9 %, 2 degrees of freedom
 class Search {
  public:
   Search(const SearchedViews& views,
-         const Sighting& reference,
+         const Observation& reference,
          const CandidateOptions& candidates,
          const TrackOptions& options,
          const IsFree& is_free)
@@ -54,23 +54,23 @@ class Search {
   /// What a view says about a hypothesis.
   struct Answer {
     double log_odds = 0.0;  ///< the logarithm of what it multiplies the odds by
-    std::optional<std::pair<int, Observation>> seen;
+    std::optional<std::pair<int, PredictionResidual>> seen;
   };
 
   struct Hypothesis {
     std::vector<Answer> said;  ///< by view
 
-    [[nodiscard]] std::vector<Observation> observations() const {
-      std::vector<Observation> all;
+    [[nodiscard]] std::vector<PredictionResidual> residuals() const {
+      std::vector<PredictionResidual> all;
       for (const Answer& answer : said) {
         if (answer.seen) all.push_back(answer.seen->second);
       }
       return all;
     }
-    [[nodiscard]] SegmentDepth depth() const { return depth_by(observations()); }
+    [[nodiscard]] SegmentDepth depth() const { return depth_by(residuals()); }
   };
 
-  [[nodiscard]] double log_look(const Sighting& s) const {
+  [[nodiscard]] double log_look(const Observation& s) const {
     switch (views_.look(reference_, s)) {
       case SearchedViews::Look::kMatched:
         return std::log(options_.look_odds);
@@ -114,18 +114,18 @@ class Search {
     for (const Stretch& end : ends) band.extend(end.at(lowest_m)).extend(end.at(highest_m));
     std::vector<Hypothesis> all;
     for (const int segment : views_.by_place(view).in_box(band)) {
-      const Sighting seen{view, segment};
+      const Observation seen{view, segment};
       if (!is_free_(seen)) continue;
-      if (const auto observation = intersection_with(seen)) {
+      if (const auto residual = intersection_with(seen)) {
         all.emplace_back().said.resize(views_.size());
-        all.back().said[view] = {log_look(seen), std::pair{segment, *observation}};
+        all.back().said[view] = {log_look(seen), std::pair{segment, *residual}};
       }
     }
     return all;
   }
 
   /// The observation of a segment by the line that it gives, without residuals.
-  [[nodiscard]] std::optional<Observation> intersection_with(const Sighting& seen) const {
+  [[nodiscard]] std::optional<PredictionResidual> intersection_with(const Observation& seen) const {
     const EndStretches& ends = ends_[seen.view];
     const UncertainSegment2& line = views_.line(seen);
     const Eigen::Vector2d n = normal(line.segment);
@@ -138,7 +138,7 @@ class Search {
       if (!(std::abs(n.dot(by)) >= least_sine * by.norm())) return std::nullopt;
     }
     if (!overlap(p, line.segment)) return std::nullopt;
-    return observe(own_, heights_m, p, line, {0.0, 1.0}, options_.sigma_edge_px);
+    return residual_of(own_, heights_m, p, line, {0.0, 1.0}, options_.sigma_edge_px);
   }
 
   /// Asks all views but the first for the line of a hypothesis.
@@ -150,10 +150,10 @@ class Search {
   }
 
   [[nodiscard]] ProposedTrack track_of(const Hypothesis& h) const {
-    ProposedTrack track{{reference_}, h.depth(), 0.0};
+    ProposedTrack track{{{reference_}}, h.depth(), 0.0};
     for (const std::size_t view : views_.others(reference_.view)) {
       track.log_odds += h.said[view].log_odds;
-      if (h.said[view].seen) track.seen.push_back({view, h.said[view].seen->first});
+      if (h.said[view].seen) track.observations.push_back({view, h.said[view].seen->first});
     }
     return track;
   }
@@ -178,7 +178,8 @@ class Search {
       const UncertainSegment2& line = views_.line({view, segment});
       const auto at = overlap(p, line.segment);
       if (!at) continue;
-      const Observation o = observe(own_, depth.heights_m, p, line, *at, options_.sigma_edge_px);
+      const PredictionResidual o =
+          residual_of(own_, depth.heights_m, p, line, *at, options_.sigma_edge_px);
       if (o.residual_px.cwiseAbs().maxCoeff() < reach_px) ++n_parallel;
       if (!is_free_({view, segment})) continue;
       const Eigen::Matrix2d cov_px2 = o.cov_with(depth);
@@ -207,7 +208,7 @@ class Search {
     };
     std::ranges::stable_sort(all, std::greater{}, &ProposedTrack::log_odds);
     const auto best = std::ranges::find_if(
-        all, [](const ProposedTrack& track) { return track.seen.size() >= 3; });
+        all, [](const ProposedTrack& track) { return track.observations.size() >= 3; });
     if (best == all.end() || best->log_odds < options_.min_log_odds) return std::nullopt;
     double odds_of_others = 0.0;
     std::vector<const ProposedTrack*> distinct{&*best};
@@ -222,7 +223,7 @@ class Search {
   }
 
   const SearchedViews& views_;
-  Sighting reference_;
+  Observation reference_;
   const UncertainSegment2& own_;
   const CandidateOptions& candidates_;
   const TrackOptions& options_;
@@ -233,7 +234,7 @@ class Search {
 }  // namespace
 
 std::optional<ProposedTrack> propose_track(const SearchedViews& views,
-                                           const Sighting& reference,
+                                           const Observation& reference,
                                            const CandidateOptions& candidates,
                                            const TrackOptions& options,
                                            const IsFree& is_free) {
@@ -246,12 +247,12 @@ void add_pieces(const SearchedViews& views,
                 ProposedTrack& track) {
   constexpr double kBeside_px = 1.5;
   constexpr double kMinShareWithin = 0.7;  // share of a piece within the part that a view shows
-  const UncertainSegment2& own = views.line(track.seen[0]);
+  const UncertainSegment2& own = views.line(track.base());
   std::vector<PredictedLine> predictions;
   std::array<double, 2> part{0.0, 1.0};
   for (std::size_t v = 0; v < views.size(); ++v)
-    predictions.push_back(predict(views.stretches(track.seen[0], v), track.depth.heights_m));
-  for (const Sighting& s : track.seen) {
+    predictions.push_back(predict(views.stretches(track.base(), v), track.depth.heights_m));
+  for (const Observation& s : track.observations) {
     const auto [from, to] = span_on(predictions[s.view].segment, views.line(s).segment);
     part = {std::min(part[0], from), std::max(part[1], to)};
   }
@@ -259,7 +260,7 @@ void add_pieces(const SearchedViews& views,
     const PredictedLine& p = predictions[v];
     const Segment2 whole{point_at(p.segment, part[0]), point_at(p.segment, part[1])};
     std::vector<std::array<double, 2>> known;
-    for (const Sighting& s : track.seen) {
+    for (const Observation& s : track.observations) {
       if (s.view == v) known.push_back(span_on(p.segment, views.line(s).segment));
     }
     for (const int segment : views.by_place(v).near(whole, kBeside_px)) {
@@ -275,13 +276,13 @@ void add_pieces(const SearchedViews& views,
           })) {
         continue;
       }
-      const Observation o =
-          observe(own, track.depth.heights_m, p, line, span, options.sigma_edge_px);
+      const PredictionResidual o =
+          residual_of(own, track.depth.heights_m, p, line, span, options.sigma_edge_px);
       if (o.residual_px.cwiseAbs().maxCoeff() > kBeside_px ||
           chi_square(o, o.cov_with(track.depth)) > kChiSquare2) {
         continue;
       }
-      track.seen.push_back({v, segment});
+      track.observations.push_back({v, segment});
       known.push_back(span);
     }
   }

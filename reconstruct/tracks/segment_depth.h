@@ -12,14 +12,13 @@
 
 namespace ridgeline::reconstruct {
 
-/// A segment's line and the sightings of it that were found.
-struct ProposedTrack {
-  std::vector<Sighting> seen;  ///< the segment itself first
+/// The line of a segment, which is the base, with the observations of it that were found.
+struct ProposedTrack : Track {
   SegmentDepth depth;
   double log_odds = 0.0;  ///< of the track against chance
 };
 
-using IsFree = std::function<bool(const Sighting&)>;
+using IsFree = std::function<bool(const Observation&)>;
 
 /// Finds the line of a segment by the segments of all other views.
 ///
@@ -34,14 +33,14 @@ using IsFree = std::function<bool(const Sighting&)>;
 /// segment across the prediction at both ends of what they share, their covariance S, and the
 /// density of nearly parallel segments beside the prediction: where many run, one of them fits by
 /// chance. The hypothesis starts with the odds p / n of one of n candidates. A match by its look
-/// multiplies the odds by look_odds, a match with another segment divides them. Each sighting adds
-/// to the heights (least squares), so that the next prediction is sharper.
+/// multiplies the odds by look_odds, a match with another segment divides them. Each observation
+/// adds to the heights (least squares), so that the next prediction is sharper.
 ///
 /// The result is the hypothesis of the largest odds with three views or more, if it has
 /// min_log_odds, and if all hypotheses of other heights together are less likely by min_margin.
 /// Nothing otherwise.
 std::optional<ProposedTrack> propose_track(const SearchedViews& views,
-                                           const Sighting& reference,
+                                           const Observation& reference,
                                            const CandidateOptions& candidates,
                                            const TrackOptions& options,
                                            const IsFree& is_free);

@@ -22,11 +22,12 @@ class TakenSegments {
   explicit TakenSegments(const SearchedViews& views) {
     for (std::size_t v = 0; v < views.size(); ++v) is_taken_.emplace_back(views.n_segments(v), 0);
   }
-  [[nodiscard]] bool is_free(const Sighting& s) const {
+  [[nodiscard]] bool is_free(const Observation& s) const {
     return is_taken_[s.view][static_cast<std::size_t>(s.segment)] == 0;
   }
   void take(const Track& track) {
-    for (const Sighting& s : track.seen) is_taken_[s.view][static_cast<std::size_t>(s.segment)] = 1;
+    for (const Observation& s : track.observations)
+      is_taken_[s.view][static_cast<std::size_t>(s.segment)] = 1;
   }
 
  private:
@@ -38,8 +39,8 @@ std::vector<Track> tracks_by_geometry(const SearchedViews& views,
                                       const CandidateOptions& candidates,
                                       const TrackOptions& options,
                                       TakenSegments& taken) {
-  const IsFree is_free = [&](const Sighting& s) { return taken.is_free(s); };
-  std::vector<Sighting> references;
+  const IsFree is_free = [&](const Observation& s) { return taken.is_free(s); };
+  std::vector<Observation> references;
   for (std::size_t v = 0; v < views.size(); ++v) {
     for (std::size_t s = 0; s < views.n_segments(v); ++s)
       references.push_back({v, static_cast<int>(s)});
@@ -61,25 +62,25 @@ std::vector<Track> tracks_by_geometry(const SearchedViews& views,
     const std::size_t i = queue.top();
     queue.pop();
     if (!is_free(references[i])) continue;
-    if (!std::ranges::all_of(proposed[i]->seen, is_free)) {
+    if (!std::ranges::all_of(proposed[i]->observations, is_free)) {
       proposed[i] = propose_track(views, references[i], candidates, options, is_free);
       if (proposed[i]) queue.push(i);
       continue;
     }
     add_pieces(views, options, is_free, *proposed[i]);
-    tracks.push_back({proposed[i]->seen});
+    tracks.push_back(Track{proposed[i]->observations});
     taken.take(tracks.back());
   }
   return tracks;
 }
 
 bool is_near_aligned(const Scene& scene,
-                     const Sighting& a,
-                     const Sighting& b,
+                     const Observation& a,
+                     const Observation& b,
                      double max_angle_deg) {
   const std::array cameras{scene.views[a.view].image_from_local,
                            scene.views[b.view].image_from_local};
-  const auto segment = [&](const Sighting& s) -> const Segment2& {
+  const auto segment = [&](const Observation& s) -> const Segment2& {
     return scene.views[s.view].segments[static_cast<std::size_t>(s.segment)].line.segment;
   };
   return epipolar_angle_rad(cameras, segment(a), segment(b)) <= max_angle_deg * kRadPerDeg;
@@ -90,46 +91,48 @@ void add_tracks_by_look(const Scene& scene,
                         std::span<const MatchedPair> pairs,
                         TakenSegments& taken,
                         std::vector<Track>& tracks) {
-  std::map<Sighting, std::size_t> aligned;  // track by segment
+  std::map<Observation, std::size_t> aligned;  // track by segment
   for (const auto& [views, matches] : pairs) {
-    for (const LineMatch& match : matches) {
-      const Sighting base{views.base, match.left};
-      const Sighting mate{views.search, match.right};
+    for (const Correspondence& match : matches) {
+      const Observation base{views.base, match.base};
+      const Observation mate{views.search, match.other};
       const bool base_is_free = taken.is_free(base);
       const bool mate_is_free = taken.is_free(mate);
       if (!base_is_free && !mate_is_free) continue;
       const bool is_aligned = is_near_aligned(scene, base, mate, kMaxAlignedAngle_deg);
       std::size_t track = tracks.size();
       if (base_is_free && mate_is_free) {
-        tracks.push_back({{base, mate}});
+        tracks.push_back(Track{{base, mate}});
       } else {
         const auto known = aligned.find(base_is_free ? mate : base);
         if (!is_aligned || known == aligned.end()) continue;
         track = known->second;
-        tracks[track].seen.push_back(base_is_free ? base : mate);
+        tracks[track].observations.push_back(base_is_free ? base : mate);
       }
-      taken.take({{base, mate}});
+      taken.take(Track{{base, mate}});
       if (is_aligned) aligned[base] = aligned[mate] = track;
     }
   }
 }
 
-/// Puts two sightings of a matched pair first, base before search, and the others in ascending
+/// Puts two observations of a matched pair first, base before search, and the others in ascending
 /// order.
-void order_sightings(std::span<const MatchedPair> pairs, Track& track) {
-  std::ranges::sort(track.seen);
+void order_observations(std::span<const MatchedPair> pairs, Track& track) {
+  std::ranges::sort(track.observations);
   for (const MatchedPair& pair : pairs) {
-    const auto base = std::ranges::find(track.seen, pair.views.base, &Sighting::view);
-    const auto search = std::ranges::find(track.seen, pair.views.search, &Sighting::view);
-    if (base == track.seen.end() || search == track.seen.end()) continue;
+    const auto base = std::ranges::find(track.observations, pair.views.base, &Observation::view);
+    const auto search =
+        std::ranges::find(track.observations, pair.views.search, &Observation::view);
+    if (base == track.observations.end() || search == track.observations.end()) continue;
     const std::array first{*base, *search};
-    std::erase_if(track.seen, [&](const Sighting& s) { return s == first[0] || s == first[1]; });
-    track.seen.insert(track.seen.begin(), first.begin(), first.end());
+    std::erase_if(track.observations,
+                  [&](const Observation& s) { return s == first[0] || s == first[1]; });
+    track.observations.insert(track.observations.begin(), first.begin(), first.end());
     return;
   }
   const auto other = std::ranges::find_if(
-      track.seen, [&](const Sighting& s) { return s.view != track.seen[0].view; });
-  std::rotate(track.seen.begin() + 1, other, other + 1);
+      track.observations, [&](const Observation& s) { return s.view != track.base().view; });
+  std::rotate(track.observations.begin() + 1, other, other + 1);
 }
 
 }  // namespace
@@ -143,8 +146,8 @@ std::vector<Track> tracks_of(const Scene& scene,
   TakenSegments taken(views);
   std::vector<Track> tracks = tracks_by_geometry(views, candidates, options, taken);
   add_tracks_by_look(scene, pairs, taken, tracks);
-  for (Track& track : tracks) order_sightings(pairs, track);
-  std::ranges::sort(tracks, {}, &Track::seen);
+  for (Track& track : tracks) order_observations(pairs, track);
+  std::ranges::sort(tracks, {}, &Track::observations);
   return tracks;
 }
 

@@ -20,8 +20,8 @@ namespace ridgeline::reconstruct {
 /// matches with several views, nearly along the epipolar lines of all of them, it is one track,
 /// because geometry tells no depth there.
 ///
-/// The first two sightings of a track are of a pair that was matched, if its views are of one, so
-/// that what is known of a pair (its surface) can be used.
+/// The first two observations of a track are of a pair that was matched, if its views are of one,
+/// so that what is known of a pair (its surface) can be used.
 /// @param pairs  the matches by their look
 /// The result is the same for any number of threads. Throws std::invalid_argument for options out
 /// of range.

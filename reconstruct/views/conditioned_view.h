@@ -3,6 +3,7 @@
 
 #include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/segment.h"
+#include "reconstruct/geometry/track.h"
 #include "reconstruct/geometry/uncertain/conditioning.h"
 #include "reconstruct/geometry/uncertain/pluecker.h"
 #include "reconstruct/geometry/uncertain/uncertain_segment.h"
@@ -41,9 +42,7 @@ struct ObservedLine {
   UncertainPlane3 plane;  ///< projection plane, spherically normalised
 };
 
-/// What the views show of one line, in the order of Track::seen: the base and its partner come
-/// first.
-using ObservedTrack = std::vector<ObservedLine>;
+using ObservedTrack = TrackOf<ObservedLine>;
 
 /// The views of a scene and the conditioning they share.
 struct ConditionedViews {

@@ -26,40 +26,40 @@ UncertainSegment2 registered(const UncertainSegment2& segment, const Registratio
   return moved;
 }
 
-/// Parameter at which the epipolar line of a point of the partner's image crosses the line of a
+/// Parameter at which the epipolar line of a point of the other image crosses the line of a
 /// base segment.
 double epipolar_crossing(const Segment2& base,
-                         const Eigen::Vector2d& in_partner,
-                         const Eigen::Matrix3d& partner_from_base) {
-  const Eigen::Vector3d epipolar_line = partner_from_base.transpose() * in_partner.homogeneous();
+                         const Eigen::Vector2d& in_other,
+                         const Eigen::Matrix3d& other_from_base) {
+  const Eigen::Vector3d epipolar_line = other_from_base.transpose() * in_other.homogeneous();
   const double at_start = epipolar_line.dot(base.start.homogeneous());
   const double at_end = epipolar_line.dot(base.end.homogeneous());
   return at_start / (at_start - at_end);
 }
 
-/// Keeps the part of the base segment that shows what its partner shows. Otherwise a segment with
-/// several fragments as partners would give each of their lines its whole length.
-void clip_to_partner(ObservedTrack& track, const Eigen::Matrix3d& partner_from_base) {
+/// Keeps the part of the base segment that shows what the other segment shows. Otherwise a segment
+/// with several fragments in the other view would give each of their lines its whole length.
+void clip_to_other(ObservedTrack& track, const Eigen::Matrix3d& other_from_base) {
   // Share of the segment; the epipolar lines run along it if the part is shorter.
   constexpr double kMinShare = 0.02;
-  const Segment2 base = track[0].segment;
+  const Segment2 base = track.base().segment;
   const auto [low, high] =
-      std::minmax({epipolar_crossing(base, track[1].segment.start, partner_from_base),
-                   epipolar_crossing(base, track[1].segment.end, partner_from_base)});
+      std::minmax({epipolar_crossing(base, track.other().segment.start, other_from_base),
+                   epipolar_crossing(base, track.other().segment.end, other_from_base)});
   const double from = std::max(0.0, low);
   const double to = std::min(1.0, high);
   if (!(to - from > kMinShare)) return;
-  track[0].segment = {base.start + from * (base.end - base.start),
-                      base.start + to * (base.end - base.start)};
+  track.base().segment = {base.start + from * (base.end - base.start),
+                          base.start + to * (base.end - base.start)};
 }
 
 }  // namespace
 
-std::vector<Sightings> extracted(const TrackedSegments& tracked) {
+std::vector<TrackSegments> extracted(const TrackedSegments& tracked) {
   return transformed(tracked.tracks, [&](const Track& track) {
-    check(track.seen.size() >= 2 && track.seen[0].view != track.seen[1].view,
-          "track: must begin with sightings of two views");
-    return transformed(track.seen, [&](const Sighting& s) {
+    check(track.observations.size() >= 2 && track.base().view != track.other().view,
+          "track: must begin with observations of two views");
+    return transformed(track.observations, [&](const Observation& s) {
       check(s.view < tracked.segments.size(), "track: view = ", s.view, ", must be in [0, ",
             tracked.segments.size(), ")");
       const std::vector<UncertainSegment2>& of_view = tracked.segments[s.view];
@@ -68,8 +68,8 @@ std::vector<Sightings> extracted(const TrackedSegments& tracked) {
   });
 }
 
-std::vector<Sightings> registered(const TrackedSegments& tracked) {
-  std::vector<Sightings> all = extracted(tracked);
+std::vector<TrackSegments> registered(const TrackedSegments& tracked) {
+  std::vector<TrackSegments> all = extracted(tracked);
   for (std::size_t i = 0; i < tracked.registrations.size(); ++i) {
     for (std::size_t s = 0; s < all[i].size(); ++s)
       all[i][s] = registered(all[i][s], tracked.registrations[i][s]);
@@ -78,37 +78,38 @@ std::vector<Sightings> registered(const TrackedSegments& tracked) {
 }
 
 TrackedLines tracked_lines(const TrackedSegments& tracked,
-                           const std::vector<Sightings>& observed,
+                           const std::vector<TrackSegments>& observed,
                            LineCovariance form) {
   std::vector<std::vector<Segment2>> patch(tracked.cameras.size());
-  std::map<Sighting, int> num_tracks;  // by base segment
-  const std::vector<Sightings> seen = extracted(tracked);
+  std::map<Observation, int> num_tracks;  // by base segment
+  const std::vector<TrackSegments> seen = extracted(tracked);
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    const std::vector<Sighting>& sightings = tracked.tracks[i].seen;
+    const Track& track = tracked.tracks[i];
     for (std::size_t s = 0; s < seen[i].size(); ++s)
-      patch[sightings[s].view].push_back(seen[i][s].segment);
-    ++num_tracks[sightings[0]];
+      patch[track.observations[s].view].push_back(seen[i][s].segment);
+    ++num_tracks[track.base()];
   }
   TrackedLines lines{condition(tracked.cameras, patch), {}, tracked.height_range_in_local_m};
   for (std::size_t i = 0; i < observed.size(); ++i) {
-    const std::vector<Sighting>& sightings = tracked.tracks[i].seen;
+    const Track& track = tracked.tracks[i];
     ObservedTrack& line = lines.lines.emplace_back();
-    for (std::size_t s = 0; s < sightings.size(); ++s)
-      line.push_back(observe(lines.frames, sightings[s].view, observed[i][s], form));
-    if (num_tracks[sightings[0]] > 1)
-      clip_to_partner(line, lines.frames.fundamental(line[0].view, line[1].view));
+    for (std::size_t s = 0; s < track.observations.size(); ++s)
+      line.observations.push_back(
+          observe(lines.frames, track.observations[s].view, observed[i][s], form));
+    if (num_tracks[track.base()] > 1)
+      clip_to_other(line, lines.frames.fundamental(line.base().view, line.other().view));
   }
   return lines;
 }
 
 std::vector<SeenTogether> seen_together(const ObservedTrack& line, const ObservedTrack& other) {
   std::vector<SeenTogether> views;
-  for (const ObservedLine& own : line) {
+  for (const ObservedLine& own : line.observations) {
     const auto is_of_view = [&](const ObservedLine& seen) { return seen.view == own.view; };
     if (std::ranges::any_of(views, [&](const SeenTogether& v) { return is_of_view(v.line); }))
       continue;
-    const auto found = std::ranges::find_if(other, is_of_view);
-    if (found != other.end()) views.push_back({own, *found});
+    const auto found = std::ranges::find_if(other.observations, is_of_view);
+    if (found != other.observations.end()) views.push_back({own, *found});
   }
   return views;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "reconstruct/geometry/correspondence.h"
 #include "reconstruct/geometry/epipolar.h"
-#include "reconstruct/geometry/line_match.h"
 #include "reconstruct/geometry/track.h"
 #include "reconstruct/geometry/uncertain/uncertain_segment.h"
 #include "reconstruct/views/conditioned_view.h"
@@ -19,7 +19,7 @@ struct Registration {
   double shift_px = 0.0;     ///< along n = (-u_y, u_x) of the segment
   double sigma_scale = 1.0;  ///< factor of its sigma_q and sigma_phi
 };
-using Registrations = std::vector<Registration>;  ///< one per sighting of a track
+using Registrations = std::vector<Registration>;  ///< one per observation of a track
 
 /// The segments of tracks in several images, which it borrows.
 struct TrackedSegments {
@@ -31,16 +31,16 @@ struct TrackedSegments {
   std::array<double, 2> height_range_in_local_m{-1e5, 1e5};  ///< default: no limit on Earth
 };
 
-using Sightings =
-    std::vector<UncertainSegment2>;  ///< the segments of a track, in the order of Track::seen
+using TrackSegments = std::vector<UncertainSegment2>;  ///< the segments of a track, in the order of
+                                                       ///< Track::observations
 
 /// The segments of each track as they were extracted. Throws std::invalid_argument for an index out
-/// of range and for a track whose first two sightings are not of two views.
-std::vector<Sightings> extracted(const TrackedSegments& tracked);
+/// of range and for a track whose first two observations are not of two views.
+std::vector<TrackSegments> extracted(const TrackedSegments& tracked);
 
 /// The segments of each track, corrected by its registrations if there are any. Throws as
 /// extracted() does.
-std::vector<Sightings> registered(const TrackedSegments& tracked);
+std::vector<TrackSegments> registered(const TrackedSegments& tracked);
 
 /// The lines of tracks in the conditioned frames, ready for estimation.
 struct TrackedLines {
@@ -50,11 +50,11 @@ struct TrackedLines {
 };
 
 /// The tracks in the conditioned frames of the patch, which the extracted segments define. If a
-/// base segment belongs to several tracks, each gets the part that its partner shows.
+/// base segment belongs to several tracks, each gets the part that the other segment shows.
 /// @param observed  the segments of each track that are used
 /// Throws as condition() and observe() do.
 TrackedLines tracked_lines(const TrackedSegments& tracked,
-                           const std::vector<Sightings>& observed,
+                           const std::vector<TrackSegments>& observed,
                            LineCovariance form);
 
 /// A line and another one as one view shows them.
@@ -68,7 +68,7 @@ struct SeenTogether {
   }
 };
 
-/// The views that show both lines, in the order of the first one's sightings, each once.
+/// The views that show both lines, in the order of the first one's observations, each once.
 std::vector<SeenTogether> seen_together(const ObservedTrack& line, const ObservedTrack& other);
 
 using Neighbours = std::vector<std::vector<int>>;  ///< by track, ascending

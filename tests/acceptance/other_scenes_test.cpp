@@ -163,15 +163,15 @@ TEST_F(OtherScenes, AreReconstructedAsWellAsSimulatedVillages) {
 TEST_F(OtherScenes, ChangeWhereTheirTrueEdgesAre) {
   constexpr double kReach_px = 2.5, kNear_px = 0.5, kMinContrast_grey = 6.0;
   const fs::path scene = make_scene(kFirstSeed);
-  const auto edges = std::get<std::vector<io::ReferenceEdge>>(
+  const auto edges = std::get<std::vector<ReferenceEdge>>(
       io::read_reference_matches((scene / "matches.csv").string()));
   const std::array<cv::Mat, 2> images{cv::imread((scene / "left.tif").string()),
                                       cv::imread((scene / "right.tif").string())};
   double n = 0.0, n_near = 0.0;
-  for (const io::ReferenceEdge& edge : edges) {
+  for (const ReferenceEdge& edge : edges) {
     if (!is_roof_line(edge.kind)) continue;
     for (std::size_t i = 0; i < 2; ++i) {
-      const Segment2& segment = i == 0 ? edge.left : edge.right;
+      const Segment2& segment = i == 0 ? edge.base : edge.other;
       const auto profile = other::edge_profile(images[i], segment, kReach_px);
       if (!profile || profile->contrast_grey < kMinContrast_grey) continue;
       n += 1.0;

@@ -49,7 +49,7 @@ void compare_with_references_of_a_town(benchmark::State& state) {
     line.line_class = "not_aligned";
     line.images.emplace().height_range_m = {-10.0, 30.0};
     for (const ProjectionMatrix& camera : cameras) {
-      line.images->sightings.push_back({camera, project(camera, s)});
+      line.images->observations.push_back({camera, project(camera, s)});
     }
     lines.push_back(line);
   }

@@ -60,14 +60,14 @@ class Block : public OrientedPatch {
     const Eigen::AlignedBox2d area_m(Eigen::Vector2d(513004, 5403004),
                                      Eigen::Vector2d(513044, 5403044));
     for (const io::Line& line : io::read_lines(path(lines).string()).lines) {
-      EXPECT_FALSE(line.left_px);
+      EXPECT_FALSE(line.base_px);
       EXPECT_TRUE(area_m.contains(midpoint(line.segment_in_world).head<2>())) << line.id;
-      for (const io::LineSighting& sighting : line.sightings) {
-        const auto image = std::ranges::find(patch.images, sighting.image, &io::PatchImage::id);
-        ASSERT_NE(image, patch.images.end()) << sighting.image;
+      for (const io::LineObservation& observation : line.observations) {
+        const auto image = std::ranges::find(patch.images, observation.image, &io::PatchImage::id);
+        ASSERT_NE(image, patch.images.end()) << observation.image;
         const Segment2 seen = project(image->image_from_world, line.segment_in_world);
         ++n;
-        n_near += distance(seen, midpoint(sighting.px)) < kNear_px ? 1 : 0;
+        n_near += distance(seen, midpoint(observation.px)) < kNear_px ? 1 : 0;
       }
     }
     EXPECT_GT(n, 100U);

@@ -39,7 +39,7 @@ TEST_F(Match, WithSegmentsIsWhatReconstructMakesOfThePatch) {
   ASSERT_EQ(
       run({"match", "pair/patch.yaml", "--out", "seen/m.csv", "--segments", "seen"}).exit_code, 0);
   const auto rows = io::read_matches(path("seen/m.csv").string());
-  EXPECT_GT(std::ranges::count(rows, "guided", &FoundMatch::matcher), 0);
+  EXPECT_GT(std::ranges::count(rows, "guided", &Correspondence::matcher), 0);
   for (const char* image : {"left", "right"}) {
     const std::string file = std::string("seen/segments.") + image + ".csv";
     const auto segments = io::read_segments(path(file).string());
@@ -80,7 +80,7 @@ TEST_F(Match, ByChioTellsHowEachLineCameAbout) {
   EXPECT_EQ(rows.front().matcher, "chio");
   const std::string provenance = read(path("chio.csv"));
   EXPECT_EQ(std::count(provenance.begin(), provenance.end(), '\n') - 1,
-            std::ranges::count(rows, "chio", &FoundMatch::matcher));
+            std::ranges::count(rows, "chio", &Correspondence::matcher));
   EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", "m.csv", "--provenance", "chio.csv"}),
                  HasSubstr("needs --matcher chio"));
 }

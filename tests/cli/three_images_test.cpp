@@ -240,9 +240,9 @@ TEST_F(ThreeImagesReport, HoldsEachImageOnceWithItsTracksAndPairs) {
   EXPECT_TRUE(images["pairs"][0]["matches"][0].contains("verdict"));
   EXPECT_FALSE(images["pairs"][1]["matches"][0].contains("verdict"));
   const std::string rows = read(path("out/patch/tracks.csv"));
-  std::size_t n_sightings = 0;
-  for (const auto& track : images["tracks"]) n_sightings += track.size() / 2;
-  EXPECT_EQ(n_sightings + 1, std::ranges::count(rows, '\n'));
+  std::size_t n_observations = 0;
+  for (const auto& track : images["tracks"]) n_observations += track.size() / 2;
+  EXPECT_EQ(n_observations + 1, std::ranges::count(rows, '\n'));
 }
 
 TEST_F(ThreeImagesReport, SaysWhatEachImageShowsOfALine) {
@@ -251,7 +251,7 @@ TEST_F(ThreeImagesReport, SaysWhatEachImageShowsOfALine) {
   const nlohmann::json patch = patch_of_page();
   for (const auto& line : patch["methods"][0]["lines"]) {
     std::set<int> views;
-    for (const auto& sighting : line["sightings"]) views.insert(sighting[0].get<int>());
+    for (const auto& observation : line["sightings"]) views.insert(observation[0].get<int>());
     EXPECT_EQ(views.size(), line["n_images"].get<std::size_t>());
     const std::vector<std::string> states = states_of(line);
     ASSERT_EQ(states.size(), 3U);
@@ -284,14 +284,14 @@ TEST_F(ThreeImagesReport, NamesTheSegmentsOfTheTracks) {
   }
   std::size_t n_known = 0;
   for (const auto& line : patch["methods"][0]["lines"]) {
-    for (const auto& sighting : line["sightings"]) {
-      if (sighting[1].is_null()) continue;
+    for (const auto& observation : line["sightings"]) {
+      if (observation[1].is_null()) continue;
       ++n_known;
-      const auto& row = rows[sighting[0].get<int>()].at(sighting[1].get<std::size_t>());
+      const auto& row = rows[observation[0].get<int>()].at(observation[1].get<std::size_t>());
       // the middle of what the line was made from lies on the segment, but for the correction of
       // its place
-      const double x = 0.5 * (sighting[2][0].get<double>() + sighting[2][2].get<double>());
-      const double y = 0.5 * (sighting[2][1].get<double>() + sighting[2][3].get<double>());
+      const double x = 0.5 * (observation[2][0].get<double>() + observation[2][2].get<double>());
+      const double y = 0.5 * (observation[2][1].get<double>() + observation[2][3].get<double>());
       const double dx = row[3] - row[1];
       const double dy = row[4] - row[2];
       constexpr double kMaxOffset_px = 2.0;
@@ -307,9 +307,9 @@ TEST_F(ThreeImagesReport, SaysThatAnImageDiffers) {
   nlohmann::json lines = read_json(path(file));
   std::size_t moved = 0;
   while (lines["features"][moved]["properties"]["n_images"] != 3) ++moved;
-  nlohmann::json& sighting = lines["features"][moved]["properties"]["sightings"].back();
-  const std::string image = sighting[0];
-  for (const int k : {1, 2, 3, 4}) sighting[k] = sighting[k].get<double>() + 15.0;
+  nlohmann::json& observation = lines["features"][moved]["properties"]["sightings"].back();
+  const std::string image = observation[0];
+  for (const int k : {1, 2, 3, 4}) observation[k] = observation[k].get<double>() + 15.0;
   write(path(file), lines.dump());
   ASSERT_EQ(run({"report", "out"}).exit_code, 0);
   const nlohmann::json patch = patch_of_page();

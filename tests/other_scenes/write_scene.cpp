@@ -42,11 +42,11 @@ std::string reference_kind(const Edge& edge) {
 
 /// What the first two images show; an edge has the number of its true line.
 void write_matches(const std::string& path, const std::vector<TrueEdge>& edges) {
-  std::vector<io::ReferenceEdge> rows;
+  std::vector<ReferenceEdge> rows;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (!edges[i].base_px) continue;
     const auto& [left, right] = *edges[i].base_px;
-    rows.push_back({std::to_string(i), edges[i].edge.kind, left, right, false});
+    rows.push_back({left, right, false, std::to_string(i), edges[i].edge.kind});
   }
   io::write_reference_edges(path, rows);
 }
@@ -107,8 +107,8 @@ void write_truth(const std::string& path,
     line.kind = named_by != nullptr ? kind_by_surfaces(*named_by, edges[i].edge)
                                     : reference_kind(edges[i].edge);
     const auto [left, right] = largest_shares(edges[i]);
-    line.visible_left = left;
-    line.visible_right = right;
+    line.visible_base = left;
+    line.visible_other = right;
     if (cameras.size() > 2) add_views(edges[i], cameras, line);
     set.lines.push_back(std::move(line));
   }

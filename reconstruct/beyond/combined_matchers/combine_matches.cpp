@@ -4,37 +4,39 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace ridgeline::reconstruct {
 
-std::vector<FoundMatch> combine_matches(std::span<const EdgeSegment> left,
-                                        std::vector<FoundMatch> pairwise,
-                                        std::span<const ChioLine> chio) {
+std::vector<Correspondence> combine_matches(std::span<const EdgeSegment> left,
+                                            std::vector<Correspondence> pairwise,
+                                            std::span<const ChioLine> chio) {
   constexpr int kLastProcess = 4;
   constexpr const char* kChio = "chio";
-  std::map<LineMatch, FoundMatch> combined;
+  std::map<std::pair<int, int>, Correspondence> combined;  // by their segments
   std::set<int> matched;
   std::multimap<int, int> left_of_right;
-  for (FoundMatch& found : pairwise) {
-    const LineMatch match = found.scored.match;
-    combined[match] = std::move(found);
-    matched.insert(match.left);
-    left_of_right.emplace(match.right, match.left);
+  for (Correspondence& found : pairwise) {
+    matched.insert(found.base);
+    left_of_right.emplace(found.other, found.base);
+    combined[found.segments()] = std::move(found);
   }
   for (const ChioLine& line : chio) {
-    const LineMatch& match = line.scored.match;
-    const auto found = combined.find(match);
+    const Correspondence& match = line.match;
+    const auto found = combined.find(match.segments());
     if (found != combined.end()) found->second.matcher += std::string("+") + kChio;
-    if (matched.contains(match.left)) continue;
-    const auto [begin, end] = left_of_right.equal_range(match.right);
+    if (matched.contains(match.base)) continue;
+    const auto [begin, end] = left_of_right.equal_range(match.other);
     const bool is_free = std::all_of(begin, end, [&](const auto& taken) {
-      return are_fragments(left[match.left].line.segment, left[taken.second].line.segment);
+      return are_fragments(left[match.base].line.segment, left[taken.second].line.segment);
     });
-    if (is_free && line.acquired.process < kLastProcess) combined[match] = {line.scored, kChio};
+    if (!is_free || line.acquired.process >= kLastProcess) continue;
+    combined[match.segments()] = match;
+    combined[match.segments()].matcher = kChio;
   }
-  std::vector<FoundMatch> list;
+  std::vector<Correspondence> list;
   list.reserve(combined.size());
-  for (auto& [match, found] : combined) list.push_back(std::move(found));
+  for (auto& [segments, found] : combined) list.push_back(std::move(found));
   return list;
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "reconstruct/chio_wang2000/chio_match.h"
+#include "reconstruct/geometry/correspondence.h"
 #include "reconstruct/geometry/edge_segment.h"
-#include "reconstruct/geometry/line_match.h"
 
 #include <span>
 #include <vector>
@@ -16,8 +16,8 @@ namespace ridgeline::reconstruct {
 /// process is left out: that something nearby has its height is not enough for a line that
 /// `pairwise` does not match. A match that both have found keeps the score and votes of `pairwise`;
 /// "+chio" is added to its matcher.
-std::vector<FoundMatch> combine_matches(std::span<const EdgeSegment> left,
-                                        std::vector<FoundMatch> pairwise,
-                                        std::span<const ChioLine> chio);
+std::vector<Correspondence> combine_matches(std::span<const EdgeSegment> left,
+                                            std::vector<Correspondence> pairwise,
+                                            std::span<const ChioLine> chio);
 
 }  // namespace ridgeline::reconstruct

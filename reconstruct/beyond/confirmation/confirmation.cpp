@@ -60,12 +60,12 @@ void mark_unconfirmed(const Scene& scene,
   for (ReconstructedLine& line : lines) {
     if (!line.segment_in_local) continue;
     std::set<std::size_t> seen;
-    for (const SeenSegment& s : line.seen) seen.insert(s.sighting.view);
+    for (const ObservedSegment& s : line.observations) seen.insert(s.view);
     if (seen.size() > 2) continue;
     for (std::size_t view = 0; view < scene.views.size(); ++view) {
       if (seen.contains(view) || !is_expected(scene, view, *line.segment_in_local, surfaces))
         continue;
-      line.status = Status::kUnconfirmed;
+      line.confirmed = false;
       break;
     }
   }

@@ -17,9 +17,9 @@ bool is_expected(const Scene& scene,
                  const Segment3& line_in_local,
                  std::span<const Surface* const> surfaces);
 
-/// Gives the status Status::kUnconfirmed to lines of two views that a further view should show and
-/// does not. Of the lines that two views show, those that a third one should show are wrong ten
-/// times as often as others.
+/// Marks lines of two views as not confirmed if a further view should show them and does not. Of
+/// the lines that two views show, those that a third one should show are wrong ten times as often
+/// as others.
 void mark_unconfirmed(const Scene& scene,
                       std::span<const Surface* const> surfaces,
                       std::vector<ReconstructedLine>& lines);

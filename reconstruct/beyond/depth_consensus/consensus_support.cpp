@@ -17,7 +17,8 @@ constexpr double kMinLengthWithEnds_px = 15.0;
 
 /// Whether a segment is long enough for its ends to tell a depth.
 bool has_telling_ends(const AlignedTrack& track) {
-  return track.lines.frames.of(track.line[0]).image.scale_px * length(track.line[0].segment) >=
+  return track.lines.frames.of(track.line.base()).image.scale_px *
+             length(track.line.base().segment) >=
          kMinLengthWithEnds_px;
 }
 
@@ -30,19 +31,20 @@ bool fix_direction(std::span<const CandidatePoint> points) {
 }
 
 /// The part of the track between the cuts.
-ObservedTrack seen_part(const TrackEvidence& evidence, const DepthPart& part) {
+ObservedTrack part_of(const TrackEvidence& evidence, const DepthPart& part) {
   const AlignedTrack& track = evidence.track;
-  ObservedTrack seen = track.line;
+  ObservedTrack part_of_track = track.line;
   const auto cut = [&](std::size_t point, bool at_start) {
     const auto x = track.places_of(evidence.points[point]);
     for (std::size_t j = 0; j < 2; ++j) {
       const bool starts = at_start != (track.runs_back && j == 1);
-      (starts ? seen[j].segment.start : seen[j].segment.end) = x[j];
+      Segment2& segment = part_of_track.observations[j].segment;
+      (starts ? segment.start : segment.end) = x[j];
     }
   };
   if (part.from) cut(*part.from, true);
   if (part.to) cut(*part.to, false);
-  return seen;
+  return part_of_track;
 }
 
 /// Adds points of the line that lie on the surface beside it. Returns false if the surface does not
@@ -51,7 +53,7 @@ bool add_surface_points(const AlignedTrack& track,
                         const Surface& surface,
                         const DepthPart& part,
                         LineSupport& support) {
-  const auto found = SurfaceDepth(surface, track.lines, support.seen).homologous(part.line);
+  const auto found = SurfaceDepth(surface, track.lines, support.track).homologous(part.line);
   if (!found) return false;
   for (const SurfaceDepth::Homologous& h : *found) {
     if (const auto point = point_in_object(track, h.x, h.sigma_px)) {
@@ -77,7 +79,7 @@ LineSupport support_of(const TrackEvidence& evidence,
                        const Surface* surface,
                        const EstimationOptions& options) {
   LineSupport support;
-  support.seen = seen_part(evidence, part);
+  support.track = part_of(evidence, part);
   std::vector<CandidatePoint> agreeing;
   for (const std::size_t i : part.supports) {
     if (i >= evidence.points.size()) continue;
@@ -87,7 +89,7 @@ LineSupport support_of(const TrackEvidence& evidence,
         point, options.building.sigma_meeting_m / evidence.track.lines.frames.object.scale_m);
     RankedPoint& ranked = agreeing.back().ranked;
     const auto x = evidence.track.places_of(evidence.points[i]);
-    ranked.parameter = parameter_along(support.seen[0].segment, x[0]);
+    ranked.parameter = parameter_along(support.track.base().segment, x[0]);
   }
   support.points = best_of_regions(agreeing, options.lines);
   if (part.horizontal) support.sigma_slope = options.building.sigma_slope;
@@ -122,7 +124,7 @@ std::vector<LineSupport> lines_by_consensus(const AlignedTrack& track,
   const auto consensus =
       agree_on_depth({track.lines, track.line, evidence.on_depth, heights_nearby, options.consensus,
                       options.building, depth ? &*depth : nullptr});
-  if (!consensus) return {LineSupport{.seen = track.line}};
+  if (!consensus) return {LineSupport{.track = track.line}};
   std::vector<LineSupport> all;
   for (const DepthPart& part : consensus->parts) {
     all.push_back(support_of(evidence, part, surface, options));
@@ -139,11 +141,12 @@ SupportOfTrack consensus_support(const TrackedLines& lines,
                                  const EstimationOptions& options) {
   return [&lines, surface_of, options, ends = KnownEnds(lines, direct)](
              const ObservedTrack& line, std::span<const int> neighbours) {
-    const ImageConditioning& image = lines.frames.of(line[0]).image;
-    const Segment2 seen_px{image.image_from_conditioned(line[0].segment.start),
-                           image.image_from_conditioned(line[0].segment.end)};
-    return lines_by_consensus({lines, line}, neighbours, ends.heights_near(line[0].view, seen_px),
-                              surface_of(line[0].view, line[1].view), options);
+    const ImageConditioning& image = lines.frames.of(line.base()).image;
+    const Segment2 seen_px{image.image_from_conditioned(line.base().segment.start),
+                           image.image_from_conditioned(line.base().segment.end)};
+    return lines_by_consensus({lines, line}, neighbours,
+                              ends.heights_near(line.base().view, seen_px),
+                              surface_of(line.base().view, line.other().view), options);
   };
 }
 

@@ -99,8 +99,8 @@ bool is_long_step(const DepthQuestion& question,
                   std::optional<std::size_t> to) {
   const double start = from ? question.evidence[*from].parameter : 0.0;
   const double end = to ? question.evidence[*to].parameter : 1.0;
-  const double px =
-      question.lines.frames.of(question.line[0]).image.scale_px * length(question.line[0].segment);
+  const double px = question.lines.frames.of(question.line.base()).image.scale_px *
+                    length(question.line.base().segment);
   return (end - start) * px >= kMinStepLengthPx;
 }
 

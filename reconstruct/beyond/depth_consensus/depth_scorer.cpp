@@ -29,11 +29,11 @@ double slope(const Eigen::Vector3d& direction) {
 DepthScorer::DepthScorer(const DepthQuestion& question)
     : question_(question),
       unit_m_(question.lines.frames.object.scale_m),
-      reach_(kCutReachPx / question.lines.frames.of(question.line[0]).image.scale_px /
-             length(question.line[0].segment)),
+      reach_(kCutReachPx / question.lines.frames.of(question.line.base()).image.scale_px /
+             length(question.line.base().segment)),
       other_from_object_(
-          line_projection(question.lines.frames.of(question.line[1]).image_from_object)),
-      normal_(question.line[0].plane.mean.head<3>().normalized()) {}
+          line_projection(question.lines.frames.of(question.line.other()).image_from_object)),
+      normal_(question.line.base().plane.mean.head<3>().normalized()) {}
 
 Eigen::Vector3d DepthScorer::horizontal() const {
   const Eigen::Vector3d direction = normal_.cross(Eigen::Vector3d::UnitZ());
@@ -74,10 +74,10 @@ std::size_t DepthScorer::line_at(const DepthProfile& profile, double parameter) 
 
 /// Height of the point where the line meets the plane across the base segment.
 double DepthScorer::height(const DepthLine& line, double parameter) const {
-  const Segment2& base = question_.line[0].segment;
+  const Segment2& base = question_.line.base().segment;
   const Eigen::Vector2d along = base.end - base.start;
   const Eigen::Vector4d plane =
-      plane_across(question_.lines.frames.of(question_.line[0]).image_from_object,
+      plane_across(question_.lines.frames.of(question_.line.base()).image_from_object,
                    base.start + parameter * along, along);
   const double s = -plane.dot(line.through.homogeneous()) / plane.head<3>().dot(line.direction);
   return line.through.z() + s * line.direction.z();
@@ -141,7 +141,7 @@ double DepthScorer::score_of_end(int which, const DepthLine& line) const {
 /// against all points.
 double DepthScorer::other_misclosure(const DepthLine& h) const {
   constexpr double kFreedoms = 3.0;
-  const UncertainLine2& other = question_.line[1].line;
+  const UncertainLine2& other = question_.line.other().line;
   Vector6d line;
   line << h.direction, h.through.cross(h.direction);
   Eigen::Vector3d image = (other_from_object_ * line).normalized();

@@ -43,12 +43,12 @@ Eigen::Vector2d on_level(const ConditionedView& base,
 }
 
 bool is_reversed(const ConditionedViews& frames, const ObservedTrack& line) {
-  const Segment2& segment = line[0].segment;
-  const auto in_partner = [&](const Eigen::Vector2d& x) {
-    return on_level(frames.of(line[0]), frames.of(line[1]), x);
+  const Segment2& segment = line.base().segment;
+  const auto in_other = [&](const Eigen::Vector2d& x) {
+    return on_level(frames.of(line.base()), frames.of(line.other()), x);
   };
-  const Eigen::Vector2d expected = in_partner(segment.end) - in_partner(segment.start);
-  return expected.dot(line[1].segment.end - line[1].segment.start) < 0.0;
+  const Eigen::Vector2d expected = in_other(segment.end) - in_other(segment.start);
+  return expected.dot(line.other().segment.end - line.other().segment.start) < 0.0;
 }
 
 DepthEvidence evidence_of(const UncertainPoint3& point, double parameter, double prior) {
@@ -62,9 +62,9 @@ bool may_cut(const AlignedTrack& track, const CandidatePoint& at, const Consensu
   if (at.ranked.weight < kMinCutWeight) return false;
   const auto x = track.places_of(at);
   for (std::size_t j = 0; j < 2; ++j) {
-    const double shortest =
-        options.min_cut_length_px / track.lines.frames.of(track.line[j]).image.scale_px;
-    const Segment2& segment = track.line[j].segment;
+    const double shortest = options.min_cut_length_px /
+                            track.lines.frames.of(track.line.observations[j]).image.scale_px;
+    const Segment2& segment = track.line.observations[j].segment;
     const double to_end = std::min((x[j] - segment.start).norm(), (x[j] - segment.end).norm());
     if (!(distance(segment, x[j]) < 1e-9 && to_end >= shortest)) return false;
   }
@@ -78,11 +78,13 @@ AlignedTrack::AlignedTrack(const TrackedLines& all, const ObservedTrack& observe
 
 std::array<Eigen::Vector2d, 2> AlignedTrack::ends(int which) const {
   const auto end = [](const Segment2& s, bool at_start) { return at_start ? s.start : s.end; };
-  return {end(line[0].segment, which == 0), end(line[1].segment, (which == 0) != runs_back)};
+  return {end(line.base().segment, which == 0),
+          end(line.other().segment, (which == 0) != runs_back)};
 }
 
 std::array<Eigen::Vector2d, 2> AlignedTrack::places_of(const CandidatePoint& point) const {
-  return {crossing_in_view(lines, line[0], point), crossing_in_view(lines, line[1], point)};
+  return {crossing_in_view(lines, line.base(), point),
+          crossing_in_view(lines, line.other(), point)};
 }
 
 std::optional<UncertainPoint3> point_in_object(const AlignedTrack& track,
@@ -90,9 +92,9 @@ std::optional<UncertainPoint3> point_in_object(const AlignedTrack& track,
                                                double sigma_px) {
   std::vector<PointObservation> observations;
   for (std::size_t j = 0; j < 2; ++j) {
-    const ConditionedView& view = track.lines.frames.of(track.line[j]);
-    observations.push_back({view.image_from_object,
-                            end_in_image(track.line[j], x[j], sigma_px / view.image.scale_px)});
+    const ConditionedView& view = track.lines.frames.of(track.line.observations[j]);
+    observations.push_back({view.image_from_object, end_in_image(track.line.observations[j], x[j],
+                                                                 sigma_px / view.image.scale_px)});
   }
   const auto estimated = estimate_point(observations);
   if (!estimated || !plausible(track.lines, track.line, estimated->point.mean)) return std::nullopt;

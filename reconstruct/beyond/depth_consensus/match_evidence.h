@@ -12,14 +12,14 @@
 
 namespace ridgeline::reconstruct {
 
-/// An aligned track in the frames of the estimation. Base and partner tell its depth. It borrows
-/// what it is made of.
+/// An aligned track in the frames of the estimation. Base and other segment determine its depth. It
+/// borrows what it is made of.
 struct AlignedTrack {
   AlignedTrack(const TrackedLines& all, const ObservedTrack& observed);
 
   const TrackedLines& lines;
   const ObservedTrack& line;
-  /// Whether the partner segment runs the other way than the base segment. The rule by which the
+  /// Whether the other segment runs the other way than the base segment. The rule by which the
   /// segments were directed does not matter.
   bool runs_back;
 
@@ -45,7 +45,7 @@ TrackEvidence evidence_of(const AlignedTrack& track,
 
 /// The point in object space that both views show, by its place on the segment of each. The result
 /// is empty if there is no such point in front of the cameras and within the range of heights.
-/// @param x         the places in the base view and that of the partner, conditioned
+/// @param x         the places in the base view and the other one, conditioned
 /// @param sigma_px  sigma of both places along the line
 std::optional<UncertainPoint3> point_in_object(const AlignedTrack& track,
                                                const std::array<Eigen::Vector2d, 2>& x,

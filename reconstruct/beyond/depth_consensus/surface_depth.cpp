@@ -19,13 +19,13 @@ SurfaceDepth::SurfaceDepth(const Surface& surface,
                            const TrackedLines& lines,
                            const ObservedTrack& line)
     : surface_(surface), lines_(lines), line_(line) {
-  const Segment2 whole{rectified(line[0].segment.start), rectified(line[0].segment.end)};
+  const Segment2 whole{rectified(line.base().segment.start), rectified(line.base().segment.end)};
   for (const SidesOfPiece& piece : sides_along(surface, whole)) add_stations(piece);
 }
 
 Eigen::Vector2d SurfaceDepth::rectified(const Eigen::Vector2d& x_in_left) const {
   return surface_.rectification.rectified(
-      0, lines_.frames.of(line_[0]).image.image_from_conditioned(x_in_left));
+      0, lines_.frames.of(line_.base()).image.image_from_conditioned(x_in_left));
 }
 
 /// Adds the stations of a piece; none unless the nearer surface is to be trusted.
@@ -45,13 +45,13 @@ void SurfaceDepth::add_stations(const SidesOfPiece& piece) {
 /// @param parameter  place along the rectified segment, which hardly differs from that along the
 /// segment
 void SurfaceDepth::add_station(double parameter, double d_px, double sigma_px) {
-  const Segment2& segment = line_[0].segment;
+  const Segment2& segment = line_.base().segment;
   const Eigen::Vector2d x = point_at(segment, parameter);
   const Eigen::Vector3d on_surface = surface_.rectification.point_in_local(rectified(x), d_px);
-  stations_.push_back(
-      {parameter, d_px, sigma_px,
-       plane_across(lines_.frames.of(line_[0]).image_from_object, x, segment.end - segment.start),
-       lines_.frames.object.conditioned_from_local(on_surface)});
+  stations_.push_back({parameter, d_px, sigma_px,
+                       plane_across(lines_.frames.of(line_.base()).image_from_object, x,
+                                    segment.end - segment.start),
+                       lines_.frames.object.conditioned_from_local(on_surface)});
 }
 
 double SurfaceDepth::misfit(const Station& station, const DepthLine& line) const {
@@ -89,13 +89,13 @@ std::vector<DepthLine> SurfaceDepth::likely_lines(const Eigen::Vector3d& horizon
 /// is moved onto the right segment.
 std::array<Eigen::Vector2d, 2> SurfaceDepth::seen(double parameter, double d_px) const {
   const Rectification& r = surface_.rectification;
-  const Eigen::Vector2d left = point_at(line_[0].segment, parameter);
+  const Eigen::Vector2d left = point_at(line_.base().segment, parameter);
   const Eigen::Vector2d x = rectified(left);
   const Eigen::Vector3d right =
       r.rectified_from_ideal[1].inverse() * Eigen::Vector3d(x.x() - d_px, x.y(), 1.0);
-  const Segment2& axis = line_[1].segment;
+  const Segment2& axis = line_.other().segment;
   const Eigen::Vector2d in_right =
-      lines_.frames.of(line_[1]).image.conditioned_from_image(right.hnormalized());
+      lines_.frames.of(line_.other()).image.conditioned_from_image(right.hnormalized());
   return {left, point_at(axis, parameter_along(axis, in_right))};
 }
 

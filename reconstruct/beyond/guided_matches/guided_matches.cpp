@@ -55,18 +55,18 @@ bool is_covered(const Segment2& segment, const SegmentIndex& index, std::span<co
 
 /// For each segment of a view, whether it has a mate.
 std::vector<char> has_mate(const StereoPair& pair,
-                           std::span<const LineMatch> known,
+                           std::span<const Correspondence> known,
                            std::size_t view) {
   std::vector<char> has(pair.views[view]->segments.size(), 0);
-  for (const LineMatch& m : known)
-    has.at(static_cast<std::size_t>(view == 0 ? m.left : m.right)) = 1;
+  for (const Correspondence& m : known)
+    has.at(static_cast<std::size_t>(view == 0 ? m.base : m.other)) = 1;
   return has;
 }
 
 /// The steps to which the unmatched segments of view `from` lead, in their order.
 std::vector<FoundStep> steps_of(const StereoPair& pair,
                                 const Surface& surface,
-                                std::span<const LineMatch> known,
+                                std::span<const Correspondence> known,
                                 std::size_t from,
                                 const ExtractOptions& options) {
   const std::vector<EdgeSegment>& guides = pair.views[from]->segments;
@@ -135,7 +135,7 @@ void compare(const StereoPair& pair,
 
 GuidedMatches guided_matches(const StereoPair& pair,
                              const Surface& surface,
-                             std::span<const LineMatch> known,
+                             std::span<const Correspondence> known,
                              const GuideOptions& options,
                              const CandidateLook& change_look) {
   GuidedMatches result;
@@ -156,12 +156,12 @@ GuidedMatches guided_matches(const StereoPair& pair,
       taken.push_back(step.mate.line.segment);
       const auto guide = static_cast<int>(step.guide);
       const auto mate = static_cast<int>(pair.views[1 - from]->segments.size() + mates.size());
-      result.matches.push_back(
-          {from == 0 ? LineMatch{guide, mate} : LineMatch{mate, guide}, step.similarity, 0.0});
+      result.matches.push_back(from == 0 ? Correspondence{guide, mate, step.similarity}
+                                         : Correspondence{mate, guide, step.similarity});
       mates.push_back(std::move(step.mate));
     }
   }
-  std::ranges::sort(result.matches, {}, &ScoredMatch::match);
+  std::ranges::sort(result.matches, {}, &Correspondence::segments);
   return result;
 }
 

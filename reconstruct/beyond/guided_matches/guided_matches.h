@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reconstruct/beyond/surface/surface.h"
-#include "reconstruct/geometry/line_match.h"
+#include "reconstruct/geometry/correspondence.h"
 #include "reconstruct/ok2011/extract/options.h"
 #include "reconstruct/views/candidates.h"
 #include "reconstruct/views/scene.h"
@@ -16,8 +16,9 @@ namespace ridgeline::reconstruct {
 /// Matches of segments that were extracted in one view only.
 struct GuidedMatches {
   std::array<std::vector<EdgeSegment>, 2> mates;  ///< found mates, by the view that shows them
-  /// Sorted by left, then by right index; the indices of mates go on from the pair's segments.
-  std::vector<ScoredMatch> matches;
+  /// In the order of Correspondence::segments(); the indices of mates go on from the pair's
+  /// segments.
+  std::vector<Correspondence> matches;
 };
 
 struct GuideOptions {
@@ -37,7 +38,7 @@ struct GuideOptions {
 /// @param known  the matches of the pair so far
 GuidedMatches guided_matches(const StereoPair& pair,
                              const Surface& surface,
-                             std::span<const LineMatch> known,
+                             std::span<const Correspondence> known,
                              const GuideOptions& options,
                              const CandidateLook& change_look = {});
 

@@ -5,12 +5,12 @@
 
 namespace ridgeline::reconstruct {
 
-std::vector<ScoredMatch> propagate_heights(const StereoPair& pair,
-                                           std::span<const ScoredMatch> given,
-                                           const ChioOptions& chio,
-                                           const CandidateOptions& candidates,
-                                           const ChioExtensions& beyond,
-                                           const MatchExtensionOptions& options) {
+std::vector<Correspondence> propagate_heights(const StereoPair& pair,
+                                              std::span<const Correspondence> given,
+                                              const ChioOptions& chio,
+                                              const CandidateOptions& candidates,
+                                              const ChioExtensions& beyond,
+                                              const MatchExtensionOptions& options) {
   if (given.empty()) return {};
   ChioOptions propagation = chio;
   // Heights of lines that are only nearby brought more wrong lines than right ones.

@@ -12,11 +12,11 @@ namespace ridgeline::reconstruct {
 /// Matches of lines that another matcher has left unmatched and that meet matched ones, at the
 /// height of these. They are what the third process of Chio and Wang 2000 finds beside the given
 /// matches, by its close limit. A given match that is none of Core's candidates lends no height.
-std::vector<ScoredMatch> propagate_heights(const StereoPair& pair,
-                                           std::span<const ScoredMatch> given,
-                                           const ChioOptions& chio,
-                                           const CandidateOptions& candidates,
-                                           const ChioExtensions& beyond,
-                                           const MatchExtensionOptions& options);
+std::vector<Correspondence> propagate_heights(const StereoPair& pair,
+                                              std::span<const Correspondence> given,
+                                              const ChioOptions& chio,
+                                              const CandidateOptions& candidates,
+                                              const ChioExtensions& beyond,
+                                              const MatchExtensionOptions& options);
 
 }  // namespace ridgeline::reconstruct

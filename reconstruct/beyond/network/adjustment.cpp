@@ -36,11 +36,11 @@ NetworkAdjustment::NetworkAdjustment(const ConditionedViews& frames,
 }
 
 NetworkAdjustment::LineConditions NetworkAdjustment::conditions_of(const NetworkLine& line) const {
-  const ConditionedView& base = frames_.of(line.seen[0]);
-  const Segment2& segment = line.seen[0].segment;
+  const ConditionedView& base = frames_.of(line.track.base());
+  const Segment2& segment = line.track.base().segment;
   LineConditions conditions{
       {}, {end_plane(base, segment, segment.start), end_plane(base, segment, segment.end)}, {}};
-  for (const ObservedLine& seen : line.seen)
+  for (const ObservedLine& seen : line.track.observations)
     conditions.images.emplace_back(frames_.of(seen).image_from_object, seen.line);
   for (const auto& end : line.ends)
     conditions.base_ends.push_back(end_plane(base, segment, end[0]));
@@ -63,12 +63,11 @@ void NetworkAdjustment::for_each_condition(std::size_t line,
   }
   if (lines_[line]->is_horizontal) add(rise(at), sigma_slope_);
   // The point is uncertain along both segments.
-  const ObservedLine& partner = lines_[line]->seen[1];
-  const ConditionedView& view = frames_.of(partner);
+  const ObservedLine& other = lines_[line]->track.other();
+  const ConditionedView& view = frames_.of(other);
   const double sigma_end = std::numbers::sqrt2 * lines_[line]->sigma_ends_px / view.image.scale_px;
   for (std::size_t e = 0; e < c.base_ends.size(); ++e) {
-    add(end_parallax(at, c.base_ends[e], view, partner.segment, lines_[line]->ends[e][1]),
-        sigma_end);
+    add(end_parallax(at, c.base_ends[e], view, other.segment, lines_[line]->ends[e][1]), sigma_end);
   }
 }
 

@@ -54,7 +54,7 @@ class NetworkAdjustment {
 
  private:
   struct LineConditions {
-    std::vector<ImageCondition> images;         ///< one per sighting
+    std::vector<ImageCondition> images;         ///< one per observation
     std::array<Eigen::Vector4d, 2> end_planes;  ///< planes of the base segment's start and end
     std::vector<Eigen::Vector4d> base_ends;     ///< planes of NetworkLine::ends in the base view
   };

@@ -17,14 +17,14 @@ namespace ridgeline::reconstruct {
 
 /// A line of a track as it enters the common adjustment, in the conditioned frames.
 struct NetworkLine {
-  ObservedTrack seen;
+  ObservedTrack track;
   Vector6d start = Vector6d::Zero();  ///< unit vector
   /// Covariance of `start`, by which likely meetings are found at the beginning; none if nothing is
   /// known of it.
   std::optional<Matrix6d> start_cov;
   /// Whether the line is taken as horizontal, within options.sigma_slope.
   bool is_horizontal = false;
-  /// Ends of the base segment and its partner that are taken to show the same point.
+  /// Ends of the base and the other segment that are taken to show the same point.
   std::vector<std::array<Eigen::Vector2d, 2>> ends;
   double sigma_ends_px = 1.0;  ///< standard deviation of each of `ends` along the line
 };

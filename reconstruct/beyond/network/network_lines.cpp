@@ -36,9 +36,9 @@ void start_from(const ReconstructedLine& joint,
 
 NetworkLine network_line(const TrackedLines& lines, std::size_t track, const JointLine& joint) {
   NetworkLine line;
-  line.seen = lines.lines[track];
-  for (std::size_t j = 0; j < line.seen.size(); ++j)
-    line.seen[j].segment = joint.support.seen[j].segment;
+  line.track = lines.lines[track];
+  for (std::size_t j = 0; j < line.track.observations.size(); ++j)
+    line.track.observations[j].segment = joint.support.track.observations[j].segment;
   start_from(joint.line, lines.frames.object, line);
   line.is_horizontal = joint.support.sigma_slope.has_value();
   line.ends = joint.support.ends_in_images;
@@ -75,7 +75,7 @@ std::optional<int> closest_part(const Members& members,
   const std::vector<int>& parts = members.of_track[track];
   const auto closest = std::ranges::min_element(parts, {}, [&](int part) {
     const SeenTogether both =
-        seen_together(members.lines[static_cast<std::size_t>(part)].seen, other).front();
+        seen_together(members.lines[static_cast<std::size_t>(part)].track, other).front();
     return distance(both.line.segment, both.other.segment);
   });
   return closest == parts.end() ? std::nullopt : std::optional(*closest);
@@ -97,8 +97,8 @@ std::vector<Meeting> meetings_of(const TrackedLines& lines,
     const auto second = closest_part(members, b, lines.lines[a]);
     if (!first || !second) continue;
     meetings.push_back({*first, *second,
-                        junction(lines.frames, members.lines[*first].seen,
-                                 members.lines[*second].seen, sigma_meeting_m)});
+                        junction(lines.frames, members.lines[*first].track,
+                                 members.lines[*second].track, sigma_meeting_m)});
   }
   return meetings;
 }
@@ -139,13 +139,14 @@ void adjust_together(const TrackedLines& lines,
     ReconstructedLine& joint = members.results[i]->line;
     if (!adjusted[i].adjusted) continue;
     ReconstructedLine line = joint;
-    if (!assign_geometry(lines.frames, members.lines[i].seen, adjusted[i].line,
+    if (!assign_geometry(lines.frames, members.lines[i].track, adjusted[i].line,
                          options.beyond.max_end_sigma_m, line) ||
         !is_determined(line, lines.height_range_in_local_m) ||
         !is_better_known(line, adjusted[i].n_meetings, *members.results[i])) {
       continue;
     }
-    line.status = Status::kNetwork;
+    line.determination = Determination::kNetwork;
+    line.failure.reset();
     line.n_meetings = adjusted[i].n_meetings;
     line.omega = adjusted[i].omega;
     line.points.clear();

@@ -86,7 +86,7 @@ ComparedProfiles profiles_of_match(const StereoSearch& search,
 }  // namespace
 
 std::vector<ComparedProfiles> compare_profiles(const StereoPair& pair,
-                                               std::span<const LineMatch> matches,
+                                               std::span<const Correspondence> matches,
                                                double max_angle_deg) {
   const StereoSearch search = searched(pair).search;
   const std::array<ImageSampler, 2> samplers{ImageSampler(pair.views[0]->image),
@@ -94,9 +94,9 @@ std::vector<ComparedProfiles> compare_profiles(const StereoPair& pair,
   std::vector<ComparedProfiles> profiles(matches.size());
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
     Interruption::check();
-    const EdgeSegment& left = pair.views[0]->segments.at(static_cast<std::size_t>(matches[i].left));
+    const EdgeSegment& left = pair.views[0]->segments.at(static_cast<std::size_t>(matches[i].base));
     const EdgeSegment& right =
-        pair.views[1]->segments.at(static_cast<std::size_t>(matches[i].right));
+        pair.views[1]->segments.at(static_cast<std::size_t>(matches[i].other));
     const double angle_rad =
         epipolar_angle_rad(pair.cameras(), left.line.segment, right.line.segment);
     if (angle_rad <= max_angle_deg * kRadPerDeg) return;

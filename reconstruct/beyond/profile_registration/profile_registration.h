@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/geometry/line_match.h"
+#include "reconstruct/geometry/correspondence.h"
 #include "reconstruct/views/scene.h"
 
 #include <optional>
@@ -29,7 +29,7 @@ struct ComparedProfiles {
 /// line, without overlap or too near to the border are not compared. Throws std::invalid_argument
 /// for other numbers of bands, std::out_of_range for an index that no segment has.
 std::vector<ComparedProfiles> compare_profiles(const StereoPair& pair,
-                                               std::span<const LineMatch> matches,
+                                               std::span<const Correspondence> matches,
                                                double max_angle_deg);
 
 }  // namespace ridgeline::reconstruct

@@ -102,9 +102,9 @@ void adjust_to_faces_beside(const Rectification& r,
        faces_beside(faces, {r.rectified(segment.start), r.rectified(segment.end)}))
     adjust_to_face(r, *face, ends, *line.covariance_m2);
   segment = {ends.head<3>(), ends.tail<3>()};
-  if (!line.partner_segment_in_local) return;
+  if (!line.other_segment_in_local) return;
   for (Eigen::Vector3d* end :
-       {&line.partner_segment_in_local->start, &line.partner_segment_in_local->end})
+       {&line.other_segment_in_local->start, &line.other_segment_in_local->end})
     *end = point_at(segment, parameter_along(before, *end));
 }
 

@@ -130,14 +130,15 @@ ReconstructedLine line_of(const StereoPair& pair,
   const PointOfPlanes start = point_of_planes(r, a.plane, b.plane, crease.start);
   const PointOfPlanes end = point_of_planes(r, a.plane, b.plane, crease.end);
   ReconstructedLine line;
-  line.status = Status::kPlanes;
+  line.determination = Determination::kPlanes;
+  line.failure.reset();
   line.segment_in_local = {start.x_in_local, end.x_in_local};
   line.covariance_m2 =
       covariance(start, end, a, b, length(*line.segment_in_local) / length(crease));
   const std::array<ProjectionMatrix, 2> cameras = pair.cameras();
   for (const std::size_t view : {0U, 1U})
-    line.seen.push_back({{view, -1}, project(cameras[view], *line.segment_in_local)});
-  line.epipolar_angle_rad = epipolar_angle_rad(cameras, line.seen[0].px, line.seen[1].px);
+    line.observations.push_back({{view, -1}, project(cameras[view], *line.segment_in_local)});
+  line.epipolar_angle_rad = epipolar_angle_rad(cameras, line.base().px, line.other().px);
   line.line_class = line.epipolar_angle_rad <= max_aligned_angle_deg * kRadPerDeg
                         ? LineClass::kAligned
                         : LineClass::kNotAligned;

@@ -40,10 +40,10 @@ double own_sigma_scale(double similarity) {
 
 double agreement_sigma_scale(const ObservedTrack& line) {
   constexpr double kPriorFreedoms = 4.0;  // beside 2 N - 4 of the adjustment: 2 N in all
-  if (line.size() < 3) return 1.0;
-  const auto adjusted = adjust_line(transformed(line, &ObservedLine::plane), {});
+  if (line.observations.size() < 3) return 1.0;
+  const auto adjusted = adjust_line(transformed(line.observations, &ObservedLine::plane), {});
   if (!adjusted || !adjusted->full_rank) return 1.0;
-  const double n_views = static_cast<double>(line.size());
+  const double n_views = static_cast<double>(line.observations.size());
   return std::sqrt((kPriorFreedoms + adjusted->omega) / (2.0 * n_views));
 }
 

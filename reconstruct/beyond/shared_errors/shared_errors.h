@@ -20,13 +20,13 @@ namespace ridgeline::reconstruct {
 /// @param similarity  rho of ComparedProfiles, up to 1
 double own_sigma_scale(double similarity);
 
-/// Factor of the sigmas across all sightings of a line, by how well they agree. The line in their N
-/// planes leaves the sum of squares Omega with 2 N - 4 degrees of freedom. Together with the stated
-/// sigmas, which count as four degrees of freedom,
+/// Factor of the sigmas across all observations of a line, by how well they agree. The line in
+/// their N planes leaves the sum of squares Omega with 2 N - 4 degrees of freedom. Together with
+/// the stated sigmas, which count as four degrees of freedom,
 ///   scale^2 = (4 + Omega) / 2 N,
 /// the scale of the variance factor's posterior for a scaled inverse chi-square prior of scale 1
 /// (Gelman et al. 2013, section 2.6). Four is fitted to the true errors on training scenes. 1 for
-/// two sightings, which agree always, and for planes that coincide.
+/// two observations, which agree always, and for planes that coincide.
 /// @param line  with the sigmas as stated so far
 double agreement_sigma_scale(const ObservedTrack& line);
 

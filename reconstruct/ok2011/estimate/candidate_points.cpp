@@ -60,10 +60,10 @@ std::optional<CandidatePoint> candidate_point(const TrackedLines& lines,
   const std::optional<EstimatedPoint> estimated = estimate_point(observations);
   if (!estimated || !plausible(lines, line, estimated->point.mean)) return std::nullopt;
   CandidatePoint candidate{*estimated, {0.0, weight, estimated->omega, neighbour}};
-  const bool base_shows_both = both.seen[0].line.view == line[0].view;
+  const bool base_shows_both = both.seen[0].line.view == line.base().view;
   candidate.ranked.parameter = parameter_along(
-      line[0].segment, base_shows_both ? Eigen::Vector2d(both.x[0].mean.hnormalized())
-                                       : crossing_in_view(lines, line[0], candidate));
+      line.base().segment, base_shows_both ? Eigen::Vector2d(both.x[0].mean.hnormalized())
+                                           : crossing_in_view(lines, line.base(), candidate));
   return candidate;
 }
 
@@ -72,7 +72,8 @@ std::optional<CandidatePoint> candidate_point(const TrackedLines& lines,
 Eigen::Vector2d crossing_in_view(const TrackedLines& lines,
                                  const ObservedLine& seen,
                                  const CandidatePoint& point) {
-  for (const ObservedLine& other : lines.lines[static_cast<std::size_t>(point.ranked.neighbour)]) {
+  for (const ObservedLine& other :
+       lines.lines[static_cast<std::size_t>(point.ranked.neighbour)].observations) {
     if (other.view == seen.view) return SeenTogether{seen, other}.crossing();
   }
   return (lines.frames.of(seen).image_from_object * point.estimated.point.mean).hnormalized();
@@ -87,7 +88,7 @@ double pair_weight(const TrackedLines& lines,
 }
 
 bool plausible(const TrackedLines& lines, const ObservedTrack& line, const Eigen::Vector4d& x) {
-  for (const ObservedLine& seen : line) {
+  for (const ObservedLine& seen : line.observations) {
     if (!in_front(lines.frames.of(seen), x)) return false;
   }
   const double height_m = lines.frames.object.local_from_conditioned(x.hnormalized()).z();

@@ -43,14 +43,14 @@ Segment3 local_from_conditioned(const ObjectConditioning& object, const Segment3
   return {object.local_from_conditioned(s.start), object.local_from_conditioned(s.end)};
 }
 
-/// Whether the ends of the base segment lie so far beyond a short partner that the line is no
-/// longer known there, while it is better known between the partner's ends.
+/// Whether the ends of the base segment lie so far beyond a short other segment that the line is no
+/// longer known there, while it is better known between the ends of that.
 bool is_extrapolated(const UncertainSegment3& base,
-                     const UncertainSegment3& partner,
+                     const UncertainSegment3& other,
                      double scale_m,
                      double max_end_sigma_m) {
   const double sigma_m = scale_m * largest_sigma_z_m(base.cov);
-  return sigma_m > max_end_sigma_m && scale_m * largest_sigma_z_m(partner.cov) < sigma_m;
+  return sigma_m > max_end_sigma_m && scale_m * largest_sigma_z_m(other.cov) < sigma_m;
 }
 
 UncertainSegment3 joined(const UncertainLine3& line, const Endpoint& start, const Endpoint& end) {
@@ -82,14 +82,14 @@ Endpoint end_of_two_views(std::vector<Reach> by_view) {
   return by_view[by_view.size() / 2].end;
 }
 
-/// The part of a line with three sightings or more that two views show; nothing if no part is shown
-/// by two.
+/// The part of a line with three observations or more that two views show; nothing if no part is
+/// shown by two.
 std::optional<UncertainSegment3> part_of_two_views(const ConditionedViews& frames,
-                                                   const ObservedTrack& seen,
+                                                   const ObservedTrack& track,
                                                    const UncertainLine3& line,
                                                    const Segment3& base) {
   std::map<std::size_t, std::array<Reach, 2>> by_view;  // towards the start, towards the end
-  for (const ObservedLine& observed : seen) {
+  for (const ObservedLine& observed : track.observations) {
     std::array<Reach, 2> ends;
     for (const auto& [i, x] :
          {std::pair(0, observed.segment.start), std::pair(1, observed.segment.end)})
@@ -137,26 +137,27 @@ double largest_sigma_z_m(const Matrix6d& cov_m2) {
 }
 
 bool assign_geometry(const ConditionedViews& frames,
-                     const ObservedTrack& seen,
+                     const ObservedTrack& track,
                      const UncertainLine3& estimate,
                      double max_end_sigma_m,
                      ReconstructedLine& result) {
-  const auto views = transformed(seen, [&](const ObservedLine& s) { return frames.of(s); });
-  const auto base = endpoints(estimate, views[0], seen[0], views);
+  const auto views =
+      transformed(track.observations, [&](const ObservedLine& s) { return frames.of(s); });
+  const auto base = endpoints(estimate, views[0], track.base(), views);
   if (!base) return false;
-  const auto partner = endpoints(estimate, views[1], seen[1], views);
+  const auto other = endpoints(estimate, views[1], track.other(), views);
   const ObjectConditioning& object = frames.object;
-  const bool is_pair = seen.size() == 2;
-  result.between_partner_ends = is_pair && partner && result.line_class == LineClass::kNotAligned &&
-                                (result.between_partner_ends ||
-                                 is_extrapolated(*base, *partner, object.scale_m, max_end_sigma_m));
-  const UncertainSegment3 of_two = result.between_partner_ends ? *partner : *base;
+  const bool is_pair = track.observations.size() == 2;
+  result.between_other_ends = is_pair && other && result.line_class == LineClass::kNotAligned &&
+                              (result.between_other_ends ||
+                               is_extrapolated(*base, *other, object.scale_m, max_end_sigma_m));
+  const UncertainSegment3 of_two = result.between_other_ends ? *other : *base;
   const UncertainSegment3 used =
-      is_pair ? of_two : part_of_two_views(frames, seen, estimate, base->segment).value_or(of_two);
+      is_pair ? of_two : part_of_two_views(frames, track, estimate, base->segment).value_or(of_two);
   result.segment_in_local = local_from_conditioned(object, used.segment);
   result.covariance_m2 = object.scale_m * object.scale_m * used.cov;
-  result.partner_segment_in_local.reset();
-  if (partner) result.partner_segment_in_local = local_from_conditioned(object, partner->segment);
+  result.other_segment_in_local.reset();
+  if (other) result.other_segment_in_local = local_from_conditioned(object, other->segment);
   return true;
 }
 

@@ -16,7 +16,7 @@ LineSupport published_support(const TrackedLines& lines,
                               std::span<const int> neighbours,
                               const ReconstructOptions& options) {
   LineSupport support;
-  support.seen = line;
+  support.track = line;
   support.points = best_of_regions(candidate_points(lines, line, neighbours, options), options);
   return support;
 }

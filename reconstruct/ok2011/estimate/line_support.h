@@ -14,13 +14,13 @@ namespace ridgeline::reconstruct {
 
 /// A line of an aligned track and what supports it beside its projection planes.
 struct LineSupport {
-  ObservedTrack seen;                    ///< the track, or the part of it that shows the line
+  ObservedTrack track;                   ///< the track, or the part of it that shows the line
   std::vector<CandidatePoint> points{};  ///< artificial points, one per region at most
-  /// Points in space that the base and its partner show on their segments. They lie on the surface
-  /// beside the line if it is known. Otherwise they are the ends of the segments, used if the
-  /// artificial points fix no direction.
+  /// Points in space that the base and the other segment show on their segments. They lie on the
+  /// surface beside the line if it is known. Otherwise they are the ends of the segments, used if
+  /// the artificial points fix no direction.
   std::vector<UncertainPoint3> ends{};
-  /// The points of `ends` as seen in the base view and that of its partner, conditioned.
+  /// The points of `ends` as seen in the base view and the other one, conditioned.
   std::vector<std::array<Eigen::Vector2d, 2>> ends_in_images{};
   double sigma_ends_px = 0.0;           ///< standard deviation of `ends` along the line
   bool on_surface = false;              ///< whether `ends` lie on the surface beside the line

@@ -20,15 +20,16 @@ namespace ridgeline::reconstruct {
 namespace {
 
 /// The largest epipolar angle of all pairs of views, of each pair the smaller one of both images.
-double epipolar_angle_rad(const ConditionedViews& frames, const ObservedTrack& line) {
+double epipolar_angle_rad(const ConditionedViews& frames, const ObservedTrack& track) {
+  const std::vector<ObservedLine>& lines = track.observations;
   double largest = 0.0;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    for (std::size_t k = i + 1; k < line.size(); ++k) {
-      if (line[i].view == line[k].view) continue;
-      const std::array cameras{frames.of(line[i]).image_from_object,
-                               frames.of(line[k]).image_from_object};
-      largest = std::max(largest,
-                         ridgeline::epipolar_angle_rad(cameras, line[i].segment, line[k].segment));
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t k = i + 1; k < lines.size(); ++k) {
+      if (lines[i].view == lines[k].view) continue;
+      const std::array cameras{frames.of(lines[i]).image_from_object,
+                               frames.of(lines[k]).image_from_object};
+      largest = std::max(
+          largest, ridgeline::epipolar_angle_rad(cameras, lines[i].segment, lines[k].segment));
     }
   }
   return largest;
@@ -50,12 +51,12 @@ Segment2 in_image(const ConditionedView& view, const ObservedLine& observed) {
 }
 
 std::vector<UncertainPlane3> planes_of(const ObservedTrack& line) {
-  return transformed(line, &ObservedLine::plane);
+  return transformed(line.observations, &ObservedLine::plane);
 }
 
 /// The line in the projection planes. Two planes are intersected; more are adjusted.
 std::optional<UncertainLine3> line_of_planes(const ObservedTrack& line) {
-  if (line.size() == 2) return intersection(line[0].plane, line[1].plane);
+  if (line.observations.size() == 2) return intersection(line.base().plane, line.other().plane);
   const auto adjusted = adjust_line(planes_of(line), {});
   if (!adjusted || !adjusted->full_rank) return std::nullopt;
   return adjusted->line;
@@ -65,11 +66,14 @@ void reconstruct_direct(const TrackedLines& lines,
                         const ObservedTrack& line,
                         double max_end_sigma_m,
                         ReconstructedLine& result) {
-  for (std::size_t j = 0; j < line.size(); ++j)
-    result.seen[j].px = in_image(lines.frames.of(line[j]), line[j]);
+  for (std::size_t j = 0; j < line.observations.size(); ++j) {
+    const ObservedLine& observed = line.observations[j];
+    result.observations[j].px = in_image(lines.frames.of(observed), observed);
+  }
   const auto estimate = line_of_planes(line);
   if (!estimate || !assign_geometry(lines.frames, line, *estimate, max_end_sigma_m, result)) return;
-  result.status = Status::kDirect;
+  result.determination = Determination::kDirect;
+  result.failure.reset();
   result.direct_sigma_z_m = largest_sigma_z_m(*result.covariance_m2);
 }
 
@@ -85,20 +89,20 @@ UsedPoint used_point(const CandidatePoint& candidate, const ObjectConditioning& 
           .region = region(ranked.parameter)};
 }
 
-Status joint_status(const AdjustedLine& adjusted, const LineSupport& support) {
-  if (!adjusted.full_rank) return Status::kRankDeficient;
-  if (!adjusted.converged) return Status::kNotConverged;
-  if (support.on_surface && !support.points_fix_direction) return Status::kSurface;
-  if (support.sigma_slope && !support.points_fix_direction) return Status::kHorizontal;
-  if (!support.ends.empty() && !support.on_surface) return Status::kSegmentEnds;
-  return support.points.size() >= 2 ? Status::kJoint : Status::kOnePoint;
+Determination joint_determination(const AdjustedLine& adjusted, const LineSupport& support) {
+  if (!adjusted.full_rank) return Determination::kRankDeficient;
+  if (!adjusted.converged) return Determination::kNotConverged;
+  if (support.on_surface && !support.points_fix_direction) return Determination::kSurface;
+  if (support.sigma_slope && !support.points_fix_direction) return Determination::kHorizontal;
+  if (!support.ends.empty() && !support.on_surface) return Determination::kSegmentEnds;
+  return support.points.size() >= 2 ? Determination::kJoint : Determination::kOnePoint;
 }
 
-void give_up(Status why, ReconstructedLine& result) {
-  result.status = why;
+void give_up(Failure why, ReconstructedLine& result) {
+  result.failure = why;
   result.segment_in_local.reset();
   result.covariance_m2.reset();
-  result.partner_segment_in_local.reset();
+  result.other_segment_in_local.reset();
 }
 
 /// `result` comes with the line by the method `direct`. The line is replaced if there are points or
@@ -107,9 +111,9 @@ void reconstruct_joint(const TrackedLines& lines,
                        const LineSupport& support,
                        double max_end_sigma_m,
                        ReconstructedLine& result) {
-  if (support.ambiguous) return give_up(Status::kAmbiguousDepth, result);
+  if (support.ambiguous) return give_up(Failure::kAmbiguousDepth, result);
   if (support.points.empty() && support.ends.empty()) {
-    if (result.segment_in_local) result.status = Status::kNoPoints;
+    if (result.segment_in_local) result.determination = Determination::kNoPoints;
     return;
   }
   std::vector<UncertainPoint3> points = support.ends;
@@ -117,12 +121,13 @@ void reconstruct_joint(const TrackedLines& lines,
     points.push_back(p.estimated.point);
     result.points.push_back(used_point(p, lines.frames.object));
   }
-  const auto adjusted = adjust_line(planes_of(support.seen), points, support.sigma_slope);
+  const auto adjusted = adjust_line(planes_of(support.track), points, support.sigma_slope);
   if (!adjusted ||
-      !assign_geometry(lines.frames, support.seen, adjusted->line, max_end_sigma_m, result)) {
-    return give_up(Status::kNoIntersection, result);
+      !assign_geometry(lines.frames, support.track, adjusted->line, max_end_sigma_m, result)) {
+    return give_up(Failure::kNoIntersection, result);
   }
-  result.status = joint_status(*adjusted, support);
+  result.determination = joint_determination(*adjusted, support);
+  result.failure.reset();
   result.omega = adjusted->omega;
   if (!adjusted->full_rank) result.covariance_m2.reset();
 }
@@ -138,7 +143,7 @@ std::vector<JointLine> reconstruct_aligned(const TrackedLines& lines,
     JointLine& result = results.emplace_back(JointLine{direct, parts[p]});
     if (parts.size() > 1) {
       result.line.part = static_cast<int>(p) + 1;
-      reconstruct_direct(lines, parts[p].seen, max_end_sigma_m, result.line);
+      reconstruct_direct(lines, parts[p].track, max_end_sigma_m, result.line);
     }
     reconstruct_joint(lines, parts[p], max_end_sigma_m, result.line);
   }
@@ -153,7 +158,9 @@ std::vector<ReconstructedLine> direct_lines(const TrackedLines& lines,
   std::vector<ReconstructedLine> results(tracks.size());
   tbb::parallel_for(std::size_t{0}, tracks.size(), [&](std::size_t i) {
     ReconstructedLine& result = results[i];
-    result.seen = transformed(tracks[i].seen, [](const Sighting& s) { return SeenSegment{s, {}}; });
+    result.observations = transformed(tracks[i].observations, [](const Observation& s) {
+      return ObservedSegment{s, {}};
+    });
     classify(lines, i, options, result);
     reconstruct_direct(lines, observed[i], max_end_sigma_m, result);
   });
@@ -174,7 +181,7 @@ std::vector<std::vector<JointLine>> joint_lines(const TrackedLines& lines,
     Interruption::check();
     if (direct[i].line_class != LineClass::kAligned) {
       // A line that is not aligned rests on the images alone.
-      by_track[i] = {{direct[i], LineSupport{.seen = observed[i]}}};
+      by_track[i] = {{direct[i], LineSupport{.track = observed[i]}}};
       return;
     }
     const std::vector<LineSupport> parts = support(observed[i], neighbours[i]);
@@ -204,9 +211,9 @@ void check_input(const TrackedSegments& tracked,
         "reconstruct_lines: registrations = ", n_registrations, ", must be one per track, ",
         tracked.tracks.size(), ", or none");
   for (std::size_t i = 0; i < n_registrations; ++i) {
-    check(tracked.registrations[i].size() == tracked.tracks[i].seen.size(),
+    check(tracked.registrations[i].size() == tracked.tracks[i].observations.size(),
           "reconstruct_lines: registrations of a track = ", tracked.registrations[i].size(),
-          ", must be one per sighting, ", tracked.tracks[i].seen.size());
+          ", must be one per observation, ", tracked.tracks[i].observations.size());
     for (const Registration& r : tracked.registrations[i]) {
       check(std::isfinite(r.shift_px), "reconstruct_lines: shift_px = ", r.shift_px,
             ", must be finite");
@@ -232,12 +239,14 @@ const char* name(LineClass line_class) {
   return line_class == LineClass::kAligned ? "aligned" : "not_aligned";
 }
 
-const char* name(Status status) {
-  constexpr std::array kNames{
-      "direct",          "joint",     "one_point",      "surface",       "segment_ends",
-      "horizontal",      "no_points", "rank_deficient", "not_converged", "ambiguous_depth",
-      "no_intersection", "network",   "planes",         "unconfirmed"};
-  return kNames.at(static_cast<std::size_t>(status));
+const char* status_name(const ReconstructedLine& line) {
+  constexpr std::array kFailures{"ambiguous_depth", "no_intersection"};
+  constexpr std::array kDeterminations{"direct",        "joint",      "one_point", "surface",
+                                       "segment_ends",  "horizontal", "no_points", "rank_deficient",
+                                       "not_converged", "network",    "planes"};
+  if (line.failure) return kFailures.at(static_cast<std::size_t>(*line.failure));
+  if (!line.confirmed) return "unconfirmed";
+  return kDeterminations.at(static_cast<std::size_t>(line.determination));
 }
 
 std::vector<ReconstructedLine> reconstruct_lines(const TrackedSegments& tracked,
@@ -250,7 +259,7 @@ std::vector<ReconstructedLine> reconstruct_lines(const TrackedSegments& tracked,
   // The consensus on the depth of aligned lines uses the lines that these meet as they were
   // extracted, not as registered.
   const TrackedLines lines = tracked_lines(tracked, extracted(tracked), options.line_covariance);
-  const std::vector<Sightings> corrected = registered(tracked);
+  const std::vector<TrackSegments> corrected = registered(tracked);
   const std::vector<ObservedTrack> observed =
       tracked_lines(tracked, corrected, options.line_covariance).lines;
 

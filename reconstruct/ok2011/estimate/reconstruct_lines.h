@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "reconstruct/geometry/correspondence.h"
 #include "reconstruct/geometry/epipolar.h"
-#include "reconstruct/geometry/line_match.h"
 #include "reconstruct/geometry/segment.h"
 #include "reconstruct/geometry/uncertain/pluecker.h"
 #include "reconstruct/geometry/uncertain/uncertain_segment.h"
@@ -28,8 +28,8 @@ namespace ridgeline::reconstruct {
 enum class LineClass : std::uint8_t { kNotAligned, kAligned };
 const char* name(LineClass line_class);  ///< "not_aligned" | "aligned"
 
-/// How a line came about.
-enum class Status : std::uint8_t {
+/// How a line was determined.
+enum class Determination : std::uint8_t {
   kDirect,         ///< intersection of the projection planes
   kJoint,          ///< planes and two or three points, and horizontality if the points agree on it
   kOnePoint,       ///< planes and one point: the direction still rests on the planes alone
@@ -40,13 +40,15 @@ enum class Status : std::uint8_t {
   kRankDeficient,  ///< planes and points leave a direction free: one of many lines, no covariance
   /// The adjustment still moved after its last pass; the line is that of this pass.
   kNotConverged,
-  kAmbiguousDepth,  ///< no depth explains the line clearly better than another: no segment
-  kNoIntersection,  ///< coincident planes, or a line at infinity or behind a camera: no segment
-  kNetwork,         ///< adjusted with all lines that it meets
-  kPlanes,          ///< intersection of two surfaces where no edge was matched
-  kUnconfirmed,     ///< two views show it, and a further one that should does not
+  kNetwork,  ///< adjusted with all lines that it meets
+  kPlanes,   ///< intersection of two surfaces where no edge was matched
 };
-const char* name(Status status);  ///< "direct", "one_point", ... as in the files
+
+/// Why a line has no segment in space.
+enum class Failure : std::uint8_t {
+  kAmbiguousDepth,  ///< no depth explains the line clearly better than another
+  kNoIntersection,  ///< coincident planes, or a line at infinity or behind a camera
+};
 
 /// An artificial point that entered the adjustment.
 struct UsedPoint {
@@ -59,29 +61,26 @@ struct UsedPoint {
   Region region = Region::kLeft;
 };
 
-/// A sighting of a line and its segment, or the part of it that shows the line.
-struct SeenSegment {
-  Sighting sighting;
-  Segment2 px;
-};
-
-struct ReconstructedLine {
-  /// The sightings in the order of the track. An intersection of surfaces has segment -1.
-  std::vector<SeenSegment> seen;
+/// A line with its observations in the order of the track; those of an intersection of surfaces
+/// have segment -1.
+struct ReconstructedLine : TrackOf<ObservedSegment> {
   /// Number of the part, counted from the start of the base segment, if the track was cut into
   /// several lines (agree_on_depth()); 0 for a whole track.
   int part = 0;
   int n_meetings = 0;  ///< number of other lines that it meets, accepted by `network`
   LineClass line_class = LineClass::kNotAligned;
-  Status status = Status::kNoIntersection;
-  bool between_partner_ends =
-      false;  ///< whether segment_in_local has the ends of the partner segment
-  /// The largest angle of all pairs of its sightings, of each pair the smaller one of both images.
+  Determination determination = Determination::kDirect;  ///< of a line with a segment
+  std::optional<Failure> failure = Failure::kNoIntersection;
+  /// False: two views show the line, and a further one that should show it does not.
+  bool confirmed = true;
+  bool between_other_ends = false;  ///< whether segment_in_local has the ends of the other segment
+  /// The largest angle of all pairs of its observations, of each pair the smaller one of both
+  /// images.
   double epipolar_angle_rad = 0.0;
   /// The line in m, as assign_geometry() chooses its ends.
   std::optional<Segment3> segment_in_local;
-  std::optional<Matrix6d> covariance_m2;             ///< of (start, end), world axes
-  std::optional<Segment3> partner_segment_in_local;  ///< the same line between the partner's ends
+  std::optional<Matrix6d> covariance_m2;           ///< of (start, end), world axes
+  std::optional<Segment3> other_segment_in_local;  ///< the same line between the ends of other()
   /// The larger height sigma of the two endpoints by `direct`, whatever the method. It tells weak
   /// lines apart by precision, as the class does by angle. Empty without an intersection.
   std::optional<double> direct_sigma_z_m;
@@ -90,6 +89,10 @@ struct ReconstructedLine {
   /// the conditions of the line's own images count.
   double omega = 0.0;
 };
+
+/// The status of a line as in the files: its failure, "unconfirmed", or how it was determined
+/// ("direct", "one_point", ...).
+const char* status_name(const ReconstructedLine& line);
 
 /// A line by `joint` with its support beside its planes.
 struct JointLine {
@@ -121,11 +124,12 @@ struct EstimateExtensions {
 
 /// The 3D lines of tracks of image segments (Ok et al. 2011, section 3), in the order of the
 /// tracks. A not_aligned line is the intersection of the projection planes, or adjusted to those of
-/// three sightings and more. With Method::kJoint, an aligned line is adjusted to these planes and
-/// to the best artificial points made with the lines that it has a pair connection with. With
+/// three observations and more. With Method::kJoint, an aligned line is adjusted to these planes
+/// and to the best artificial points made with the lines that it has a pair connection with. With
 /// Method::kNetwork, all these lines are then adjusted together (adjust_network()). If a base
-/// segment belongs to several tracks, each line gets the part that its partner shows. There is one
-/// line per track, or several for an aligned track that shows several lines by agree_on_depth().
+/// segment belongs to several tracks, each line gets the part that the other segment shows. There
+/// is one line per track, or several for an aligned track that shows several lines by
+/// agree_on_depth().
 ///
 /// @param tracked  its cameras count as free of error. Its registrations correct the places of the
 /// segments
@@ -135,7 +139,7 @@ struct EstimateExtensions {
 /// Throws std::invalid_argument for fewer than two images, options out of range, an index out of
 /// range, a track that does not begin with two views, a connection of a track with itself, a
 /// segment without length or precision, registrations that are not finite or not as many as the
-/// sightings, and Method::kNetwork without its extension.
+/// observations, and Method::kNetwork without its extension.
 std::vector<ReconstructedLine> reconstruct_lines(const TrackedSegments& tracked,
                                                  const ReconstructOptions& options = {},
                                                  const EstimateExtensions& beyond = {});

@@ -38,7 +38,7 @@ Eigen::Vector2d mean_midpoint(std::span<const Segment2> segments) {
 }  // namespace
 
 std::vector<PairConnection> connect_matches(const StereoPair& pair,
-                                            std::span<const LineMatch> matches,
+                                            std::span<const Correspondence> matches,
                                             const MatchOptions& options) {
   validate(options);
   const std::vector<EdgeSegment>& left = pair.views[0]->segments;
@@ -46,22 +46,22 @@ std::vector<PairConnection> connect_matches(const StereoPair& pair,
   const auto [left_camera, right_camera] = pair.cameras();
   const StereoSearch search(left_camera, right_camera, pair.height_range_in_local_m);
   std::vector<Segment2> in_left;
-  for (const LineMatch& match : matches) {
-    check(match.left >= 0 && match.left < static_cast<int>(left.size()), "left_id = ", match.left,
+  for (const Correspondence& match : matches) {
+    check(match.base >= 0 && match.base < static_cast<int>(left.size()), "left_id = ", match.base,
           ", must be below ", left.size());
-    check(match.right >= 0 && match.right < static_cast<int>(right.size()),
-          "right_id = ", match.right, ", must be below ", right.size());
-    in_left.push_back(left[match.left].line.segment);
+    check(match.other >= 0 && match.other < static_cast<int>(right.size()),
+          "right_id = ", match.other, ", must be below ", right.size());
+    in_left.push_back(left[match.base].line.segment);
   }
   std::vector<PairConnection> connections;
   if (matches.empty()) return connections;
   const double spread = relief_spread(local_transfer(search, mean_midpoint(in_left)));
   for (const auto& [i, k] : base_pairs(in_left, options)) {
-    const LineMatch& a = matches[i];
-    const LineMatch& b = matches[k];
-    if (a.right == b.right) continue;
-    if (meet_in_both({in_left[i], right[a.right].line.segment},
-                     {in_left[k], right[b.right].line.segment},
+    const Correspondence& a = matches[i];
+    const Correspondence& b = matches[k];
+    if (a.other == b.other) continue;
+    if (meet_in_both({in_left[i], right[a.other].line.segment},
+                     {in_left[k], right[b.other].line.segment},
                      search.right_from_left.fundamental(), spread, options)) {
       connections.push_back({i, k});
     }

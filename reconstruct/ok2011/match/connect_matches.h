@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/geometry/line_match.h"
+#include "reconstruct/geometry/correspondence.h"
 #include "reconstruct/ok2011/match/options.h"
 #include "reconstruct/views/scene.h"
 
@@ -18,7 +18,7 @@ namespace ridgeline::reconstruct {
 /// `matches` index into the segments. Throws std::invalid_argument for an index out of range or
 /// options out of range.
 std::vector<PairConnection> connect_matches(const StereoPair& pair,
-                                            std::span<const LineMatch> matches,
+                                            std::span<const Correspondence> matches,
                                             const MatchOptions& options = {});
 
 }  // namespace ridgeline::reconstruct

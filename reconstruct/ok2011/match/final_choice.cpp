@@ -190,9 +190,9 @@ MatchResult final_choice(const MatchChoices& choices,
     if (!taken.allow(choice)) continue;
     outcome = MatchOutcome::kMatched;
     taken.add(choice);
-    result.matches.push_back({{choice.left, mate.right}, support.probability, support.votes});
+    result.matches.push_back({choice.left, mate.right, support.probability, support.votes});
   }
-  std::ranges::sort(result.matches, {}, &ScoredMatch::match);
+  std::ranges::sort(result.matches, {}, &Correspondence::segments);
   return result;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/geometry/line_match.h"
+#include "reconstruct/geometry/correspondence.h"
 #include "reconstruct/ok2011/match/options.h"
 #include "reconstruct/views/candidates.h"
 #include "reconstruct/views/scene.h"
@@ -35,8 +35,8 @@ enum class MatchOutcome : std::uint8_t {
 const char* name(MatchOutcome outcome);  ///< "matched", "no_candidate", ...
 
 struct MatchResult {
-  std::vector<ScoredMatch> matches;    ///< sorted by left, then by right index
-  std::vector<MatchOutcome> outcomes;  ///< per left segment
+  std::vector<Correspondence> matches;  ///< in the order of Correspondence::segments()
+  std::vector<MatchOutcome> outcomes;   ///< per left segment
 };
 
 /// Pair-wise matching of line segments (Ok et al. 2011, section 2).

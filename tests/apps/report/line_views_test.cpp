@@ -103,36 +103,37 @@ std::vector<Eigen::Vector3d> level(double half_m, double z_m) {
   return points;
 }
 
-ViewOfLine unsighted(const Segment3& line, const std::vector<Eigen::Vector3d>& surface) {
-  return ImageField(camera_above(), {kSize_px, kSize_px}, surface).unsighted(line);
+ViewOfLine unobserved(const Segment3& line, const std::vector<Eigen::Vector3d>& surface) {
+  return ImageField(camera_above(), {kSize_px, kSize_px}, surface).unobserved(line);
 }
 
 TEST(ImageField, MissesALineThatNothingHides) {
-  EXPECT_EQ(unsighted(kLine, {}), ViewOfLine::kMissing);
-  EXPECT_EQ(unsighted(kLine, level(20.0, 0.0)), ViewOfLine::kMissing);
+  EXPECT_EQ(unobserved(kLine, {}), ViewOfLine::kMissing);
+  EXPECT_EQ(unobserved(kLine, level(20.0, 0.0)), ViewOfLine::kMissing);
 }
 
 TEST(ImageField, KnowsThatARoofHidesALine) {
-  EXPECT_EQ(unsighted(kLine, level(20.0, 10.0)), ViewOfLine::kHidden);
+  EXPECT_EQ(unobserved(kLine, level(20.0, 10.0)), ViewOfLine::kHidden);
   // half a metre is an error of the surface
-  EXPECT_EQ(unsighted(kLine, level(20.0, 0.5)), ViewOfLine::kMissing);
+  EXPECT_EQ(unobserved(kLine, level(20.0, 0.5)), ViewOfLine::kMissing);
   // less than half of the line is hidden
   std::vector<Eigen::Vector3d> shed = level(20.0, 0.0);
   for (const Eigen::Vector3d& x : level(1.8, 10.0)) shed.push_back(x);
-  EXPECT_EQ(unsighted(kLine, shed), ViewOfLine::kMissing);
+  EXPECT_EQ(unobserved(kLine, shed), ViewOfLine::kMissing);
   for (const Eigen::Vector3d& x : level(3.0, 10.0)) shed.push_back(x);
-  EXPECT_EQ(unsighted(kLine, shed), ViewOfLine::kHidden);
+  EXPECT_EQ(unobserved(kLine, shed), ViewOfLine::kHidden);
 }
 
 TEST(ImageField, ExpectsNothingBeyondItsBorder) {
-  EXPECT_EQ(unsighted({{15.0, 0.0, 0.0}, {25.0, 0.0, 0.0}}, {}), ViewOfLine::kBorder);
-  EXPECT_EQ(unsighted({{-5.0, 19.8, 0.0}, {5.0, 19.8, 0.0}}, {}), ViewOfLine::kBorder);
-  EXPECT_EQ(unsighted({{25.0, 0.0, 0.0}, {35.0, 0.0, 0.0}}, {}), ViewOfLine::kOutside);
+  EXPECT_EQ(unobserved({{15.0, 0.0, 0.0}, {25.0, 0.0, 0.0}}, {}), ViewOfLine::kBorder);
+  EXPECT_EQ(unobserved({{-5.0, 19.8, 0.0}, {5.0, 19.8, 0.0}}, {}), ViewOfLine::kBorder);
+  EXPECT_EQ(unobserved({{25.0, 0.0, 0.0}, {35.0, 0.0, 0.0}}, {}), ViewOfLine::kOutside);
 }
 
 TEST(ImageField, OfAnImageSaysNothingOfALineThatIsNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(unsighted({{nan, 0.0, 0.0}, {nan, 0.0, 0.0}}, level(20.0, 10.0)), ViewOfLine::kOutside);
+  EXPECT_EQ(unobserved({{nan, 0.0, 0.0}, {nan, 0.0, 0.0}}, level(20.0, 10.0)),
+            ViewOfLine::kOutside);
 }
 
 }  // namespace

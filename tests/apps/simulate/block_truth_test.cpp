@@ -39,8 +39,8 @@ TEST(SeenInBlock, CountsTheViewsThatSeeHalfOfALineAsWithoutALookAtTheFrames) {
     const auto n_images = static_cast<std::size_t>(
         std::ranges::count_if(sorted, [](double share) { return share >= 0.5; }));
     EXPECT_EQ(truth.lines[i].n_images, static_cast<int>(n_images)) << i;
-    EXPECT_EQ(truth.lines[i].visible_left, sorted[0]) << i;
-    EXPECT_EQ(truth.lines[i].visible_right, sorted[1]) << i;
+    EXPECT_EQ(truth.lines[i].visible_base, sorted[0]) << i;
+    EXPECT_EQ(truth.lines[i].visible_other, sorted[1]) << i;
     most = std::max(most, n_images);
     fewest = std::min(fewest, n_images);
   }

@@ -31,7 +31,7 @@ double distance_of_ends_px(const Segment2& a, const Segment2& b) {
   return std::min(between(b.start, b.end), between(b.end, b.start));
 }
 
-/// Distance of the nearest sighting in a view from the image of an edge.
+/// Distance of the nearest run in a view from the image of an edge.
 double nearest_px(const std::vector<ShownEdge>& tracks,
                   const std::vector<AerialView>& views,
                   std::size_t view,
@@ -39,7 +39,7 @@ double nearest_px(const std::vector<ShownEdge>& tracks,
   double nearest = std::numeric_limits<double>::infinity();
   const Segment2 image = project(views[view].image_from_local, edge);
   for (const ShownEdge& track : tracks) {
-    for (const Sighting& s : track.in_view(view)) {
+    for (const VisibleRun& s : track.in_view(view)) {
       nearest = std::min(nearest, distance_of_ends_px(s.segment_px, image));
     }
   }
@@ -62,8 +62,8 @@ TEST(EdgeTracks, ShowTheEavesOfAFlatRoofWhereTheyAreInAllViews) {
   EXPECT_EQ(n_eaves, 4);
   for (const ShownEdge& track : tracks) {
     if (track.kind != "eave") continue;
-    ASSERT_EQ(track.sightings.size(), o.views.size());
-    for (const Sighting& s : track.sightings) EXPECT_NEAR(s.visible_share, 1.0, 0.02);
+    ASSERT_EQ(track.runs.size(), o.views.size());
+    for (const VisibleRun& s : track.runs) EXPECT_NEAR(s.visible_share, 1.0, 0.02);
   }
 }
 
@@ -92,18 +92,18 @@ TEST(EdgeTracks, AreShownByTwoViewsOrMoreInOneDirection) {
   const auto upwards = [](const Segment2& s) { return s.end.y() < s.start.y(); };
   for (const ShownEdge& track : tracks) {
     std::set<std::size_t> views;
-    for (const Sighting& s : track.sightings) {
+    for (const VisibleRun& s : track.runs) {
       views.insert(s.view);
       // views of one strip are not turned to each other
       if (o.views[s.view].id.starts_with("strip") && track.kind == "ridge") {
-        EXPECT_EQ(upwards(s.segment_px), upwards(track.sightings.front().segment_px));
+        EXPECT_EQ(upwards(s.segment_px), upwards(track.runs.front().segment_px));
       }
     }
     EXPECT_GE(views.size(), 2U) << track.kind;
   }
 }
 
-TEST(TracksCsv, HasARowForEachSightingAndNumbersEdgesFromOne) {
+TEST(TracksCsv, HasARowForEachRunAndNumbersEdgesFromOne) {
   std::vector<AerialView> views(2);
   views[0].id = "strip1";
   views[1].id = "cross1";

@@ -62,7 +62,7 @@ TEST_F(OnRoof, LineFarOffAlongTheRayIsJudgedByThePlanesThatItsImageShows) {
   line.id = "lifted";
   line.images = seen(ridge());
   const Plane3 high(Eigen::Vector3d::UnitZ(), -(roof_.ridge_height_m() + kLift_m));
-  const auto& [base, base_px] = line.images->sightings[0];
+  const auto& [base, base_px] = line.images->base();
   line.segment = {point_on_plane(base, base_px.start, high),
                   point_on_plane(base, base_px.end, high)};
   const LineEvaluation judged = judge_line(grid_, line, {}).evaluation;

@@ -17,7 +17,7 @@ inline ProjectionMatrix camera_at(double x) {
 inline evaluate::ImageEvidence seen(const Segment3& line) {
   evaluate::ImageEvidence images{{}, {-10.0, 30.0}};
   for (const ProjectionMatrix& camera : {camera_at(-100.0), camera_at(108.0)}) {
-    images.sightings.push_back({camera, project(camera, line)});
+    images.observations.push_back({camera, project(camera, line)});
   }
   return images;
 }

@@ -217,7 +217,7 @@ ImageEvidence seen_by_three(double z) {
   ProjectionMatrix aside;
   aside << 10000, 0, 0, 0, 0, -10000, 0, 2e6, 0, 0, -1, 800;  // 200 m to the north
   const Segment3 line{{0, 0, z}, {kSurfaceLength_m, 0, z}};
-  images.sightings.insert(images.sightings.begin() + 1, {aside, project(aside, line)});
+  images.observations.insert(images.observations.begin() + 1, {aside, project(aside, line)});
   return images;
 }
 
@@ -238,24 +238,24 @@ TEST(DecideSurface, OfALineThatThreeImagesShowBetweenTheSurfacesIsAnObject) {
   EXPECT_NE(decision.status, Status::kEvaluated);
 }
 
-TEST(HasIndependentSighting, NeedsAnImageOffTheBaseOfTheFirstTwo) {
+TEST(HasIndependentObservation, NeedsAnImageOffTheBaseOfTheFirstTwo) {
   ImageEvidence images = seen_by_three(0.0);
-  EXPECT_TRUE(has_independent_sighting(images));
-  images.sightings.erase(images.sightings.begin() + 1);
-  EXPECT_FALSE(has_independent_sighting(images));
-  images.sightings.push_back({test::camera_at(300.0), images.sightings[0].px});
-  EXPECT_FALSE(has_independent_sighting(images)) << "in one flight line";
+  EXPECT_TRUE(has_independent_observation(images));
+  images.observations.erase(images.observations.begin() + 1);
+  EXPECT_FALSE(has_independent_observation(images));
+  images.observations.push_back({test::camera_at(300.0), images.base().px});
+  EXPECT_FALSE(has_independent_observation(images)) << "in one flight line";
 }
 
-TEST(SightingsChiSquare, IsNoneForTheSurfaceSeenAndLimitedForAnother) {
+TEST(ObservationsChiSquare, IsNoneForTheSurfaceSeenAndLimitedForAnother) {
   constexpr double kRounding = 1e-9;
   constexpr double kSigma_px = 1.0;
   const ImageEvidence images = seen_by_three(2.0);
   const auto level = [](double z) { return Plane3(Eigen::Vector3d::UnitZ(), -z); };
-  EXPECT_NEAR(sightings_chi_square(images, level(2.0), kSigma_px), 0.0, kRounding);
-  EXPECT_NEAR(sightings_chi_square(images, kSigma_px), 0.0, kRounding);
+  EXPECT_NEAR(observations_chi_square(images, level(2.0), kSigma_px), 0.0, kRounding);
+  EXPECT_NEAR(observations_chi_square(images, kSigma_px), 0.0, kRounding);
   // the third image lies along the line, which does not tell the heights apart
-  EXPECT_NEAR(sightings_chi_square(images, level(8.0), kSigma_px), 25.0, kRounding);
+  EXPECT_NEAR(observations_chi_square(images, level(8.0), kSigma_px), 25.0, kRounding);
 }
 
 TEST(MeetingOf, HasNoAnswerForParallelPlanesOrPlanesOnOneSide) {

@@ -9,8 +9,8 @@ namespace ridgeline::evaluate {
 namespace {
 
 /// Edge 0 along y = 0, edge 1 along y = 10; the right image is shifted by 100 in x.
-const std::vector<EdgeInBoth> kEdges = {{{{0, 0}, {50, 0}}, {{100, 0}, {150, 0}}},
-                                        {{{0, 10}, {50, 10}}, {{100, 10}, {150, 10}}}};
+const std::vector<ReferenceEdge> kEdges = {{{{0, 0}, {50, 0}}, {{100, 0}, {150, 0}}},
+                                           {{{0, 10}, {50, 10}}, {{100, 10}, {150, 10}}}};
 
 Segment2 row(double y, double from, double to) { return {{from, y}, {to, y}}; }
 
@@ -24,7 +24,7 @@ Counts counts(const MatchingScore& s) {
 
 Counts score(const std::vector<Segment2>& left,
              const std::vector<Segment2>& right,
-             const std::vector<LineMatch>& matches) {
+             const std::vector<Correspondence>& matches) {
   return counts(score_matches(left, right, matches, kEdges));
 }
 
@@ -104,9 +104,9 @@ TEST(ScoreMatches, RejectsIndicesOutOfRange) {
 }
 
 TEST(ScoreMatches, JudgesByAListOfTrueMatches) {
-  const std::vector<LineMatch> reference = {{0, 0}, {1, 1}, {2, 2}, {3, 3}};
+  const std::vector<Correspondence> reference = {{0, 0}, {1, 1}, {2, 2}, {3, 3}};
   // (0,0) right; (1,2) wrong; (7,3) wrong: 3 belongs to another; (8,9) unknown; 2 and 3 missing
-  const std::vector<LineMatch> matches = {{0, 0}, {1, 2}, {7, 3}, {8, 9}};
+  const std::vector<Correspondence> matches = {{0, 0}, {1, 2}, {7, 3}, {8, 9}};
   EXPECT_EQ(counts(score_matches(matches, reference)), (Counts{1, 2, 2, 1}));
 }
 
@@ -114,20 +114,20 @@ TEST(ScoreMatches, SaysWhatEachMatchIsAndWhichAreMissed) {
   const MatchingScore s = score_matches(
       std::vector{row(0, 0, 20), row(0, 30, 50), row(30, 0, 20), row(10, 0, 20)},
       std::vector{row(0, 100, 120), row(10, 130, 150), row(30, 100, 120), row(10, 100, 120)},
-      std::vector<LineMatch>{{0, 0}, {1, 1}, {2, 2}}, kEdges);
+      std::vector<Correspondence>{{0, 0}, {1, 1}, {2, 2}}, kEdges);
   EXPECT_EQ(s.verdicts,
             (std::vector{MatchVerdict::kCorrect, MatchVerdict::kFalse, MatchVerdict::kUnjudged}));
   ASSERT_EQ(s.missed.size(), 1U);
-  EXPECT_EQ(s.missed[0].left, 3);
-  EXPECT_EQ(s.missed[0].right, 3);
+  EXPECT_EQ(s.missed[0].base, 3);
+  EXPECT_EQ(s.missed[0].other, 3);
   EXPECT_EQ(s.counts.n_missed, 1U);
 }
 
 TEST(ScoreMatches, TakesAMatchOfAWrongPairAsFalseAndSaysNothingElseOfIt) {
-  const std::vector<EdgeInBoth> reference = {{row(0, 0, 50), row(20, 100, 150), true}};
+  const std::vector<ReferenceEdge> reference = {{row(0, 0, 50), row(20, 100, 150), true}};
   const auto score_pair = [&](const Segment2& left, const Segment2& right) {
     return counts(score_matches(std::vector{left}, std::vector{right},
-                                std::vector<LineMatch>{{0, 0}}, reference));
+                                std::vector<Correspondence>{{0, 0}}, reference));
   };
   EXPECT_EQ(score_pair(row(0, 0, 50), row(20, 100, 150)), (Counts{0, 1, 0, 0}));
   EXPECT_EQ(score_pair(row(0, 0, 50), row(0, 100, 150)), (Counts{0, 0, 0, 1}));

@@ -22,8 +22,8 @@ Segment2 at_y(double y) { return {{0.0, y}, {100.0, y}}; }
 /// edge 1, aligned, at y = 50 in the first two. Nothing true lies at 200.
 struct TrackScene {
   std::vector<std::vector<Segment2>> segments{3, {at_y(0.5), at_y(50.0), at_y(200.0)}};
-  std::vector<TrueEdge> edges{{{{0, at_y(0)}, {1, at_y(0)}, {2, at_y(0)}}, false},
-                              {{{0, at_y(50)}, {1, at_y(50)}}, true}};
+  std::vector<TrueEdge> edges{{{{{0, -1}, at_y(0)}, {{1, -1}, at_y(0)}, {{2, -1}, at_y(0)}}, false},
+                              {{{{0, -1}, at_y(50)}, {{1, -1}, at_y(50)}}, true}};
 };
 
 const TrackCounts& cell(const TracksScore& score,
@@ -35,7 +35,7 @@ const TrackCounts& cell(const TracksScore& score,
   throw std::logic_error("no cell " + line_class);
 }
 
-TEST(ScoreTracks, CountsEdgesTheirImagesAndSightings) {
+TEST(ScoreTracks, CountsEdgesTheirImagesAndObservations) {
   const TrackScene s;
   const std::vector<Track> tracks{{{{0, 0}, {1, 0}, {2, 1}}},   // edge 0, in view 2 something wrong
                                   {{{0, 1}, {1, 1}}},           // edge 1
@@ -81,7 +81,7 @@ TEST(ScoreTracks, RefusesWhatDoesNotExist) {
   const TrackScene s;
   EXPECT_THROW(score_tracks(s.segments, {{{{{3, 0}}}}}, s.edges), std::invalid_argument);
   EXPECT_THROW(score_tracks(s.segments, {{{{{0, 3}}}}}, s.edges), std::invalid_argument);
-  EXPECT_THROW(score_tracks(s.segments, {}, std::vector<TrueEdge>{{{{0, at_y(0)}}, false}}),
+  EXPECT_THROW(score_tracks(s.segments, {}, std::vector<TrueEdge>{{{{{0, -1}, at_y(0)}}, false}}),
                std::invalid_argument);
 }
 

@@ -38,15 +38,15 @@ JudgedLine line_from(const Eigen::Vector3d& start, const Eigen::Vector3d& end) {
 /// A line that three images show, each beside its projection and the second one from the other end.
 JudgedLine seen_line() {
   JudgedLine line = line_from({10.0, 20.0, 8.0}, {16.0, 28.0, 9.0});
-  ImageEvidence images{.sightings = {}, .height_range_m = {-10.0, 40.0}};
+  ImageEvidence images{{}, {-10.0, 40.0}};
   for (const double x_m : {-100.0, 0.0, 120.0}) {
     const ProjectionMatrix camera = camera_above(x_m, 5.0);
-    images.sightings.push_back({camera, project(camera, line.segment)});
+    images.observations.push_back({camera, project(camera, line.segment)});
   }
-  images.sightings[0].px.start += Eigen::Vector2d(0.4, -0.1);
-  std::swap(images.sightings[1].px.start, images.sightings[1].px.end);
-  images.sightings[1].px.start += Eigen::Vector2d(0.7, -0.2);  // beside the line's end
-  images.sightings[2].px.end += Eigen::Vector2d(-3.0, 1.5);
+  images.base().px.start += Eigen::Vector2d(0.4, -0.1);
+  std::swap(images.other().px.start, images.other().px.end);
+  images.other().px.start += Eigen::Vector2d(0.7, -0.2);  // beside the line's end
+  images.observations[2].px.end += Eigen::Vector2d(-3.0, 1.5);
   line.images = images;
   return line;
 }
@@ -60,7 +60,7 @@ TEST(MovedLine, InHeightKeepsItsPlanAndItsImages) {
   const JudgedLine down = moved_line(line, DecoyKind::kHeight, -2.0).value();
   expect_near(down.segment.start, Eigen::Vector3d(10.0, 20.0, 6.0));
   expect_near(down.segment.end, Eigen::Vector3d(16.0, 28.0, 7.0));
-  EXPECT_EQ(down.images->sightings[2].px.end, line.images->sightings[2].px.end);
+  EXPECT_EQ(down.images->observations[2].px.end, line.images->observations[2].px.end);
 }
 
 TEST(MovedLine, AcrossGoesToTheLeftWhateverEndComesFirst) {
@@ -83,18 +83,18 @@ TEST(MovedLine, OfAFalseMatchStaysOnTheRaysOfTheFirstImage) {
   // 492 m below the camera at x = -100: 5 m up are 5 / 492 of the way to it
   expect_near(decoy.segment.start, Eigen::Vector3d(10.0, 20.0, 8.0) +
                                        5.0 / 492.0 * Eigen::Vector3d(-110.0, -15.0, 492.0));
-  const ProjectionMatrix& base = line.images->sightings[0].image_from_local;
+  const ProjectionMatrix& base = line.images->base().image_from_local;
   expect_near(project(base, decoy.segment.start), project(base, line.segment.start));
-  EXPECT_EQ(decoy.images->sightings[0].px.start, line.images->sightings[0].px.start);
+  EXPECT_EQ(decoy.images->base().px.start, line.images->base().px.start);
 }
 
 TEST(MovedLine, OfAFalseMatchHasTheLinesOwnResidualsInTheOtherImages) {
   const JudgedLine line = seen_line();
   const JudgedLine decoy = moved_line(line, DecoyKind::kMatch, -2.0).value();
   const auto projected = [&](std::size_t image) {
-    return project(line.images->sightings[image].image_from_local, decoy.segment);
+    return project(line.images->observations[image].image_from_local, decoy.segment);
   };
-  const std::vector<ImageSighting>& seen = decoy.images->sightings;
+  const std::vector<ImageObservation>& seen = decoy.images->observations;
   expect_near(seen[1].px.start, projected(1).end + Eigen::Vector2d(0.7, -0.2));
   expect_near(seen[1].px.end, projected(1).start);
   expect_near(seen[2].px.start, projected(2).start);
@@ -107,8 +107,7 @@ TEST(MovedLine, OfAFalseMatchNeedsImagesTheirHeightsAndSteepRays) {
   line.images->height_range_m = {0.0, 12.0};  // 8 and 9 m become 13 and 14 m
   EXPECT_FALSE(moved_line(line, DecoyKind::kMatch, 5.0));
   EXPECT_TRUE(moved_line(line, DecoyKind::kMatch, 2.0));
-  line.images->sightings[0].image_from_local =
-      camera_above(-6000.0, 5.0);  // 12 m aside per metre down
+  line.images->base().image_from_local = camera_above(-6000.0, 5.0);  // 12 m aside per metre down
   EXPECT_FALSE(moved_line(line, DecoyKind::kMatch, 2.0));
   EXPECT_FALSE(moved_line(line_from({0, 0, 1}, {5, 0, 1}), DecoyKind::kMatch, 2.0));
   EXPECT_THROW(moved_line(line, DecoyKind::kElsewhere, 20.0), std::invalid_argument);
@@ -198,8 +197,8 @@ TEST(MoveElsewhere, MovesInPlanWithTheCamerasAndStaysAmongTheLines) {
     EXPECT_LT(midpoint(d.line.segment).head<2>().cwiseAbs().maxCoeff(), 206.0);
     if (d.parent != 50) continue;
     has_moved_seen = true;
-    const ImageSighting& here = lines[50].images->sightings[2];
-    const ImageSighting& there = d.line.images->sightings[2];
+    const ImageObservation& here = lines[50].images->observations[2];
+    const ImageObservation& there = d.line.images->observations[2];
     EXPECT_EQ(there.px.start, here.px.start);
     expect_near(project(there.image_from_local, d.line.segment.start),
                 project(here.image_from_local, before.start));

@@ -27,7 +27,7 @@ JudgedLine reconstructed(const Segment3& seen, const Segment3& found, std::strin
   line.line_class = std::move(line_class);
   line.images.emplace().height_range_m = {-10.0, 30.0};
   for (const ProjectionMatrix& camera : {camera_at(-104.0), camera_at(104.0)}) {
-    line.images->sightings.push_back({camera, project(camera, seen)});
+    line.images->observations.push_back({camera, project(camera, seen)});
   }
   return line;
 }
@@ -157,8 +157,9 @@ TEST(ReferenceErrors, LinesOfSeveralPairsAreEachComparedInTheirOwnImages) {
   std::vector<JudgedLine> lines{reconstructed(kRidge, kRidge, "aligned"),
                                 reconstructed(kEave, kEave, "aligned")};
   const std::array<ProjectionMatrix, 2> other{camera_at(40.0), camera_at(250.0)};
-  lines[1].images = ImageEvidence{
-      {{other[0], project(other[0], kEave)}, {other[1], project(other[1], kEave)}}, {-10.0, 30.0}};
+  lines[1].images =
+      ImageEvidence{{{{other[0], project(other[0], kEave)}, {other[1], project(other[1], kEave)}}},
+                    {-10.0, 30.0}};
   const auto found =
       reference_of_each(lines, std::vector<ReferenceLine>{{kEave, "eave"}, {kRidge, "ridge"}});
   EXPECT_EQ(found, (std::vector<std::optional<std::size_t>>{1, 0}));

@@ -51,14 +51,14 @@ LineSet some_lines() {
     line.kind = "ridge";
     line.building = "house " + std::to_string(i / 10);
     line.status = "evaluated";
-    line.left_id = std::to_string(i);
-    line.right_id = std::to_string(2 * i);
+    line.base_id = std::to_string(i);
+    line.other_id = std::to_string(2 * i);
     line.epipolar_angle_deg = 0.5 * i;
     line.n_points = i;
     line.n_images = 5;
     line.class_base = i % 2 == 0 ? "aligned" : "not_aligned";
     for (const char* image : {"strip1", "strip 2", "cross_\xC3\xA4"})
-      line.sightings.push_back({image, {{0.25 * i, 8.5}, {1000.0 - i, 700.125}}});
+      line.observations.push_back({image, {{0.25 * i, 8.5}, {1000.0 - i, 700.125}}});
     line.plane_ids = {i, i + 1};
     line.covariance_m2 = some_covariance(rng);
     set.lines.push_back(line);
@@ -129,8 +129,8 @@ TEST_P(LineFormats, KeepAttributesWhereTheFormatHasThem) {
     EXPECT_EQ(a.kind, b.kind);
     EXPECT_EQ(a.building, b.building);
     EXPECT_EQ(a.status, b.status);
-    EXPECT_EQ(a.left_id, b.left_id);
-    EXPECT_EQ(a.right_id, b.right_id);
+    EXPECT_EQ(a.base_id, b.base_id);
+    EXPECT_EQ(a.other_id, b.other_id);
     EXPECT_EQ(a.epipolar_angle_deg, b.epipolar_angle_deg);
     EXPECT_EQ(a.n_points, b.n_points);
     EXPECT_EQ(a.n_images, b.n_images);
@@ -150,16 +150,16 @@ TEST_P(LineFormats, KeepTheCovarianceWhereTheFormatHasRoomForIt) {
   }
 }
 
-TEST_P(LineFormats, KeepTheSightingsWhereTheFormatHasRoomForThem) {
+TEST_P(LineFormats, KeepTheObservationsWhereTheFormatHasRoomForThem) {
   const LineSet expected = some_lines();
   const LineSet actual = written_and_read(expected);
   ASSERT_EQ(actual.lines.size(), expected.lines.size());
-  const bool has_sightings =
+  const bool has_observations =
       GetParam().format == LineFormat::kGeoJson || GetParam().format == LineFormat::kGeoPackage;
   for (std::size_t i = 0; i < expected.lines.size(); ++i) {
-    const std::vector<LineSighting>& a = actual.lines[i].sightings;
-    const std::vector<LineSighting>& b = expected.lines[i].sightings;
-    ASSERT_EQ(a.size(), has_sightings ? b.size() : 0U);
+    const std::vector<LineObservation>& a = actual.lines[i].observations;
+    const std::vector<LineObservation>& b = expected.lines[i].observations;
+    ASSERT_EQ(a.size(), has_observations ? b.size() : 0U);
     for (std::size_t s = 0; s < a.size(); ++s) {
       EXPECT_EQ(a[s].image, b[s].image);
       EXPECT_EQ(a[s].px.start, b[s].px.start);  // three decimals hold them exactly

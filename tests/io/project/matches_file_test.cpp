@@ -26,8 +26,8 @@ std::string message_of(const Action& action) {
 
 TEST(WriteMatches, GivesTheColumnsOfTheContract) {
   const TempFolder folder;
-  const std::vector<FoundMatch> matches = {{{{0, 7}, 0.98765, 3.25}, "pairwise"},
-                                           {{{4, 2}, 0.5, 0.0}, "pairwise+chio"}};
+  const std::vector<Correspondence> matches = {{0, 7, 0.98765, 3.25, "pairwise"},
+                                               {4, 2, 0.5, 0.0, "pairwise+chio"}};
   write_matches(folder.file("m.csv"), matches);
   EXPECT_EQ(read_text_file(folder.file("m.csv")),
             "left_id,right_id,score,votes,matcher\n"
@@ -37,24 +37,24 @@ TEST(WriteMatches, GivesTheColumnsOfTheContract) {
 
 TEST(ReadMatches, ReadsWhatWasWritten) {
   const TempFolder folder;
-  write_matches(folder.file("m.csv"), std::vector<FoundMatch>{{{{3, 5}, 0.75, 1.5}, "pairwise"}});
-  const std::vector<FoundMatch> rows = read_matches(folder.file("m.csv"));
+  write_matches(folder.file("m.csv"), std::vector<Correspondence>{{3, 5, 0.75, 1.5, "pairwise"}});
+  const std::vector<Correspondence> rows = read_matches(folder.file("m.csv"));
   ASSERT_EQ(rows.size(), 1U);
-  EXPECT_EQ(rows[0].scored.match.left, 3);
-  EXPECT_EQ(rows[0].scored.match.right, 5);
-  EXPECT_EQ(rows[0].scored.score, 0.75);
-  EXPECT_EQ(rows[0].scored.votes, 1.5);
+  EXPECT_EQ(rows[0].base, 3);
+  EXPECT_EQ(rows[0].other, 5);
+  EXPECT_EQ(rows[0].score, 0.75);
+  EXPECT_EQ(rows[0].votes, 1.5);
   EXPECT_EQ(rows[0].matcher, "pairwise");
 }
 
 TEST(ReadMatches, TakesOtherToolsColumnsInAnyOrder) {
   const TempFolder folder;
   (void)folder.write("m.csv", "right_id, note ,left_id\r\n8,x,1\r\n9,\"a, \"\"b\"\"\",2\r\n");
-  const std::vector<FoundMatch> rows = read_matches(folder.file("m.csv"));
+  const std::vector<Correspondence> rows = read_matches(folder.file("m.csv"));
   ASSERT_EQ(rows.size(), 2U);
-  EXPECT_EQ(rows[0].scored.match.left, 1);
-  EXPECT_EQ(rows[0].scored.match.right, 8);
-  EXPECT_EQ(rows[1].scored.match.left, 2);
+  EXPECT_EQ(rows[0].base, 1);
+  EXPECT_EQ(rows[0].other, 8);
+  EXPECT_EQ(rows[1].base, 2);
 }
 
 TEST(ReadMatches, NamesRowAndRuleOfWhatIsWrong) {
@@ -75,23 +75,23 @@ TEST(ReadMatches, NamesRowAndRuleOfWhatIsWrong) {
 TEST(ReadReferenceMatches, ReadsTheEdgesThatWereWritten) {
   const TempFolder folder;
   const std::vector<ReferenceEdge> edges = {
-      {"e1", "eave", {{1.5, 2.0}, {3.25, 4.0}}, {{-0.125, 6.0}, {7.0, 8.875}}}};
+      {{{1.5, 2.0}, {3.25, 4.0}}, {{-0.125, 6.0}, {7.0, 8.875}}, false, "e1", "eave"}};
   write_reference_edges(folder.file("r.csv"), edges);
   const ReferenceMatches read = read_reference_matches(folder.file("r.csv"));
   ASSERT_TRUE(std::holds_alternative<std::vector<ReferenceEdge>>(read));
   const ReferenceEdge edge = std::get<std::vector<ReferenceEdge>>(read).at(0);
   EXPECT_EQ(edge.id, "e1");
   EXPECT_EQ(edge.kind, "eave");
-  EXPECT_LT((edge.left.end - edges[0].left.end).norm(), kWritten_px);
-  EXPECT_LT((edge.right.start - edges[0].right.start).norm(), kWritten_px);
+  EXPECT_LT((edge.base.end - edges[0].base.end).norm(), kWritten_px);
+  EXPECT_LT((edge.other.start - edges[0].other.start).norm(), kWritten_px);
 }
 
 TEST(ReadReferenceMatches, ReadsPairsOfIds) {
   const TempFolder folder;
   (void)folder.write("r.csv", "left_id,right_id\n5,6\n");
   const ReferenceMatches read = read_reference_matches(folder.file("r.csv"));
-  ASSERT_TRUE(std::holds_alternative<std::vector<LineMatch>>(read));
-  EXPECT_EQ(std::get<std::vector<LineMatch>>(read).at(0).right, 6);
+  ASSERT_TRUE(std::holds_alternative<std::vector<Correspondence>>(read));
+  EXPECT_EQ(std::get<std::vector<Correspondence>>(read).at(0).other, 6);
 }
 
 TEST(ReadReferenceMatches, ReadsTheVerdictsOfAReview) {

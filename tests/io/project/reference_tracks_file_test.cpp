@@ -37,10 +37,10 @@ TEST_F(ReadReferenceTracks, GathersTheRunsOfEachEdge) {
   ASSERT_EQ(tracks.size(), 2U);
   EXPECT_EQ(tracks[0].edge, "7");
   EXPECT_EQ(tracks[0].kind, "eave");
-  ASSERT_EQ(tracks[0].sightings.size(), 2U);
-  EXPECT_EQ(tracks[0].sightings[0].view, 1U);
-  EXPECT_EQ(tracks[0].sightings[0].segment.end, Eigen::Vector2d(3, 4));
-  EXPECT_EQ(tracks[1].sightings.size(), 1U);
+  ASSERT_EQ(tracks[0].observations.size(), 2U);
+  EXPECT_EQ(tracks[0].observations[0].view, 1U);
+  EXPECT_EQ(tracks[0].observations[0].px.end, Eigen::Vector2d(3, 4));
+  EXPECT_EQ(tracks[1].observations.size(), 1U);
 }
 
 TEST_F(ReadReferenceTracks, NamesTheRowOfAFault) {

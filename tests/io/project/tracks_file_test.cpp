@@ -24,12 +24,13 @@ class TracksFile : public testing::Test {
   TempFolder folder_;
 };
 
-TEST_F(TracksFile, HoldsTheSightingsInTheirOrder) {
+TEST_F(TracksFile, HoldsTheObservationsInTheirOrder) {
   const std::vector<Track> tracks{{{{1, 7}, {0, 3}, {2, 0}, {0, 4}}}, {{{2, 5}, {1, 8}}}};
   write_tracks(path(), tracks, kTrackImages);
   const std::vector<Track> read = read_tracks(path(), kTrackImages);
   ASSERT_EQ(read.size(), tracks.size());
-  for (std::size_t t = 0; t < tracks.size(); ++t) EXPECT_EQ(read[t].seen, tracks[t].seen);
+  for (std::size_t t = 0; t < tracks.size(); ++t)
+    EXPECT_EQ(read[t].observations, tracks[t].observations);
 }
 
 TEST_F(TracksFile, IsRefusedWithRowAndRule) {

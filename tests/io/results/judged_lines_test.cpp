@@ -30,7 +30,7 @@ io::LineSet lines_seen_by(const Segment3& line, const std::vector<std::string>& 
   set.lines[0].segment_in_world = line;
   for (const std::string& id : ids) {
     const auto image = std::ranges::find(patch.images, id, &io::PatchImage::id);
-    set.lines[0].sightings.push_back({id, project(image->image_from_world, line)});
+    set.lines[0].observations.push_back({id, project(image->image_from_world, line)});
   }
   return set;
 }
@@ -40,7 +40,7 @@ const Segment3 kAlongY{{10, 20, 5}, {10, 40, 5}};
 
 ProjectionMatrix evidence_beside_the_first(const io::LineSet& set) {
   const auto judged = judged_lines_of(set, {}, patch_of_three());
-  return judged.at(0).images.value().sightings.at(1).image_from_local;
+  return judged.at(0).images.value().observations.at(1).image_from_local;
 }
 
 TEST(JudgedLines, EvidenceIsOfTheImageThatTellsBestWhereTheLineLies) {
@@ -55,7 +55,7 @@ TEST(JudgedLines, EvidenceIsOfTheImageThatTellsBestWhereTheLineLies) {
 TEST(JudgedLines, EvidenceIsOfAWholeSegmentBeforeAShortPiece) {
   const Segment3 rather_across_c{{10, 20, 5}, {40, 35, 5}};
   io::LineSet set = lines_seen_by(rather_across_c, {"a", "c", "b"});
-  Segment2& piece = set.lines[0].sightings[1].px;
+  Segment2& piece = set.lines[0].observations[1].px;
   piece.end = point_at(piece, 0.2);
   EXPECT_EQ(evidence_beside_the_first(set), patch_of_three().images[1].image_from_world);
 }
@@ -63,7 +63,7 @@ TEST(JudgedLines, EvidenceIsOfAWholeSegmentBeforeAShortPiece) {
 TEST(JudgedLines, EvidenceNeedsTwoImagesOfThePatch) {
   EXPECT_FALSE(judged_lines_of(lines_seen_by(kAlongX, {"a", "a"}), {}, patch_of_three())[0].images);
   io::LineSet set = lines_seen_by(kAlongX, {"a", "b"});
-  set.lines[0].sightings[1].image = "of another patch";
+  set.lines[0].observations[1].image = "of another patch";
   EXPECT_FALSE(judged_lines_of(set, {}, patch_of_three())[0].images);
 }
 

@@ -106,8 +106,8 @@ LinesPart odd_lines() {
   line.building = "c";
   line.epipolar_angle_deg = 1.5;
   line.covariance_m2 = Eigen::Matrix<double, 6, 6>::Random();
-  line.images = evaluate::ImageEvidence{{{ProjectionMatrix::Random(), {{1, 2}, {3, 4}}},
-                                         {ProjectionMatrix::Random(), {{5, 6}, {7, 8}}}},
+  line.images = evaluate::ImageEvidence{{{{ProjectionMatrix::Random(), {{1, 2}, {3, 4}}},
+                                          {ProjectionMatrix::Random(), {{5, 6}, {7, 8}}}}},
                                         {9.0, 10.0}};
   line.reconstructed = false;
   line.confirmed = false;
@@ -224,9 +224,8 @@ TEST(LinesPart, ComesBackBitByBit) {
   const JudgedLine& line = back.lines[2][1];
   EXPECT_EQ(bits(line.segment.start.x()), bits(kOddNan));
   EXPECT_EQ(*line.covariance_m2, *part.lines[0][0].covariance_m2);
-  EXPECT_EQ(line.images->sightings[0].image_from_local,
-            part.lines[0][0].images->sightings[0].image_from_local);
-  EXPECT_EQ(line.images->sightings[1].px.end, Eigen::Vector2d(7, 8));
+  EXPECT_EQ(line.images->base().image_from_local, part.lines[0][0].images->base().image_from_local);
+  EXPECT_EQ(line.images->other().px.end, Eigen::Vector2d(7, 8));
   EXPECT_EQ(line.images->height_range_m[1], 10.0);
   EXPECT_EQ(line.id + line.line_class + line.class_base + line.building, "xallbc");
   EXPECT_EQ(line.epipolar_angle_deg, 1.5);

@@ -98,8 +98,8 @@ TEST(Moved, LinesKeepTheirPlaceInTheirImages) {
   line.segment = {{1.0, 2.0, 3.0}, {5.0, 2.0, 4.0}};
   evaluate::ImageEvidence evidence;
   for (std::size_t i = 0; i < 2; ++i)
-    evidence.sightings.push_back({vertical_pair(0.1, false)->images[i].image_from_world,
-                                  {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()}});
+    evidence.observations.push_back({vertical_pair(0.1, false)->images[i].image_from_world,
+                                     {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()}});
   evidence.height_range_m = {0.0, 20.0};
   line.images = evidence;
   const Eigen::Vector3d by_m(0.5, -1.0, 45.0);
@@ -108,9 +108,9 @@ TEST(Moved, LinesKeepTheirPlaceInTheirImages) {
   EXPECT_EQ(after.images->height_range_m[1], 65.0);
   for (std::size_t i = 0; i < 2; ++i) {
     const Eigen::Vector2d before_px =
-        project(line.images->sightings[i].image_from_local, line.segment.end);
+        project(line.images->observations[i].image_from_local, line.segment.end);
     const Eigen::Vector2d after_px =
-        project(after.images->sightings[i].image_from_local, after.segment.end);
+        project(after.images->observations[i].image_from_local, after.segment.end);
     EXPECT_LT((before_px - after_px).norm(), kRounding_px);
   }
 }

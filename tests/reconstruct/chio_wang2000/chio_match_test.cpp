@@ -41,7 +41,7 @@ TEST_F(ChioMatch, FindsEavesWithTheirHeightAndLeavesEpipolarOnesAlone) {
   EXPECT_EQ(result.outcomes[0], ChioOutcome::kEpipolarDegenerate);
   EXPECT_EQ(result.outcomes[2], ChioOutcome::kEpipolarDegenerate);
   for (const ChioLine& line : result.lines) {
-    EXPECT_EQ(line.scored.match.left, line.scored.match.right);
+    EXPECT_EQ(line.match.base, line.match.other);
     ASSERT_TRUE(line.line);
     // the edge is painted without blur, a staircase of a pixel, which is 0.3 m of height
     EXPECT_NEAR(line.line->segment.start.z(), 6.0, 0.4);
@@ -63,7 +63,7 @@ TEST_F(ChioMatch, IsTheSameForAnyNumberOfThreads) {
   ASSERT_FALSE(one.lines.empty());
   ASSERT_EQ(one.lines.size(), two.lines.size());
   for (std::size_t i = 0; i < one.lines.size(); ++i) {
-    EXPECT_EQ(one.lines[i].scored.match.right, two.lines[i].scored.match.right);
+    EXPECT_EQ(one.lines[i].match.other, two.lines[i].match.other);
     EXPECT_EQ(one.lines[i].chain.mean_rate, two.lines[i].chain.mean_rate);
   }
 }

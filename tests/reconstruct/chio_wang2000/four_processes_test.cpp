@@ -60,7 +60,7 @@ class FigureThree : public testing::Test {
 
   [[nodiscard]] ProcessedSegments process(
       const ChioOptions& options = {},
-      std::span<const ScoredMatch> given = {},
+      std::span<const Correspondence> given = {},
       const ChioExtensions& beyond = test::kOurExtensions) const {
     return four_processes({views_[0], views_[1], search_}, candidates_, options, beyond, given);
   }
@@ -124,10 +124,10 @@ TEST_F(FigureThree, LooserConstraintsNeverLoseALine) {
 TEST_F(FigureThree, WhatIsAcquiredGivesNothingMore) {
   // the result is a fixed point: if it is given, nothing more is found
   const ProcessedSegments first = process();
-  std::vector<ScoredMatch> given;
+  std::vector<Correspondence> given;
   for (std::size_t i = 0; i < first.acquired.size(); ++i) {
     const auto& candidate = candidates_[i].list[first.acquired[i]->candidate];
-    given.push_back({{static_cast<int>(i), candidate.right}, 1.0, 0.0});
+    given.push_back({static_cast<int>(i), candidate.right, 1.0});
   }
   for (const auto& line : process({}, given).acquired) EXPECT_EQ(line->process, 0);
 }
@@ -181,7 +181,7 @@ TEST_F(FigureThree, ARightSegmentServesOneLeftEdge) {
 }
 
 TEST_F(FigureThree, GivenMatchesStandInPlaceOfTheFirstProcesses) {
-  const std::vector<ScoredMatch> given{{{kA2, kA2}, 1.0, 0.0}};
+  const std::vector<Correspondence> given{{kA2, kA2, 1.0}};
   const auto [acquired, outcomes] = process({}, given);
   EXPECT_EQ(acquired[kA2]->process, 0);
   EXPECT_EQ(acquired[kB]->process, 3);

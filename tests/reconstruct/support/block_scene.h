@@ -114,7 +114,7 @@ struct BlockScene {
     return static_cast<int>(found - line_of[view].begin());
   }
 
-  [[nodiscard]] int line_at(const Sighting& s) const {
+  [[nodiscard]] int line_at(const Observation& s) const {
     return line_of[s.view][static_cast<std::size_t>(s.segment)];
   }
 
@@ -133,11 +133,11 @@ struct BlockScene {
     return pair;
   }
 
-  /// The sightings of a track by the ids of their views, which do not depend on the order of the
+  /// The observations of a track by the ids of their views, which do not depend on the order of the
   /// views.
-  [[nodiscard]] std::set<std::pair<std::string, int>> sightings_by_id(const Track& track) const {
+  [[nodiscard]] std::set<std::pair<std::string, int>> observations_by_id(const Track& track) const {
     std::set<std::pair<std::string, int>> all;
-    for (const Sighting& s : track.seen) all.emplace(scene.views[s.view].id, s.segment);
+    for (const Observation& s : track.observations) all.emplace(scene.views[s.view].id, s.segment);
     return all;
   }
 };

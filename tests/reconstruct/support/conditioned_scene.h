@@ -39,8 +39,8 @@ struct ConditionedScene {
   [[nodiscard]] reconstruct::ObservedTrack observe(
       const std::array<UncertainSegment2, 2>& segments,
       LineCovariance form = LineCovariance::kCentroid) const {
-    return {reconstruct::observe(frames, 0, segments[0], form),
-            reconstruct::observe(frames, 1, segments[1], form)};
+    return {{reconstruct::observe(frames, 0, segments[0], form),
+             reconstruct::observe(frames, 1, segments[1], form)}};
   }
 };
 

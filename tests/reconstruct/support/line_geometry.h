@@ -14,7 +14,7 @@ namespace ridgeline::test {
 template <class Value>
 const Value& value_of(const std::optional<Value>& value,
                       const reconstruct::ReconstructedLine& line) {
-  if (!value) throw std::logic_error(std::string("a line without geometry: ") + name(line.status));
+  if (!value) throw std::logic_error(std::string("a line without geometry: ") + status_name(line));
   return *value;
 }
 
@@ -23,7 +23,7 @@ inline const Segment3& segment_of(const reconstruct::ReconstructedLine& line) {
 }
 
 inline const Segment3& right_segment_of(const reconstruct::ReconstructedLine& line) {
-  return value_of(line.partner_segment_in_local, line);
+  return value_of(line.other_segment_in_local, line);
 }
 
 inline const Matrix6d& covariance_of(const reconstruct::ReconstructedLine& line) {

@@ -21,7 +21,7 @@ struct LineGroup {
   StereoScene scene;
   std::vector<Segment3> truth;
   std::vector<std::vector<UncertainSegment2>> segments{2};
-  std::vector<LineMatch> matches;
+  std::vector<Correspondence> matches;
   std::vector<PairConnection> connections;
   std::array<double, 2> height_range_in_local_m{-1e5, 1e5};
 

@@ -15,12 +15,13 @@ const Segment3 kSloping{{-5.0, -3.0, 4.0}, {5.0, 4.0, 5.0}};
 const Eigen::Vector2d kTrueHeights_m(4.0, 5.0);
 
 /// What view `view` shows of the line of view 0 at these heights.
-Observation observed(const SearchedViews& views,
-                     std::size_t view,
-                     const Eigen::Vector2d& heights_m,
-                     const std::array<double, 2>& at = {0.0, 1.0}) {
-  return observe(views.line({0, 0}), heights_m, predict(views.stretches({0, 0}, view), heights_m),
-                 views.line({view, 0}), at, 0.3);
+PredictionResidual observed(const SearchedViews& views,
+                            std::size_t view,
+                            const Eigen::Vector2d& heights_m,
+                            const std::array<double, 2>& at = {0.0, 1.0}) {
+  return residual_of(views.line({0, 0}), heights_m,
+                     predict(views.stretches({0, 0}, view), heights_m), views.line({view, 0}), at,
+                     0.3);
 }
 
 test::BlockScene scene_of_one_line() {
@@ -29,7 +30,7 @@ test::BlockScene scene_of_one_line() {
   return block;
 }
 
-TEST(Observe, HasNoResidualAtTheTrueHeights) {
+TEST(ResidualOf, HasNoResidualAtTheTrueHeights) {
   constexpr double kRounding_px = 1e-8;  // doubles of 4000 px from 800 m
   const test::BlockScene block = scene_of_one_line();
   const SearchedViews views(block.scene, {});
@@ -37,7 +38,7 @@ TEST(Observe, HasNoResidualAtTheTrueHeights) {
     EXPECT_LT(observed(views, v, kTrueHeights_m, {0.2, 0.7}).residual_px.norm(), kRounding_px);
 }
 
-TEST(Observe, JacobianIsThatOfCentralDifferences) {
+TEST(ResidualOf, JacobianIsThatOfCentralDifferences) {
   constexpr double kRelative = 1e-6;  // of residuals of 4000 px by steps of 1e-6 m
   const test::BlockScene block = scene_of_one_line();
   const SearchedViews views(block.scene, {});
@@ -56,7 +57,7 @@ TEST(DepthBy, IsTheTrueDepthFromPredictionsElsewhere) {
   constexpr double kLinear_m = 1e-3;
   const test::BlockScene block = scene_of_one_line();
   const SearchedViews views(block.scene, {});
-  std::vector<Observation> all;
+  std::vector<PredictionResidual> all;
   for (std::size_t v = 1; v < views.size(); ++v) {
     all.push_back(observed(views, v, kTrueHeights_m + Eigen::Vector2d(0.5, -0.5)));
     EXPECT_LT((depth_by(all).heights_m - kTrueHeights_m).norm(), kLinear_m) << v;
@@ -66,7 +67,7 @@ TEST(DepthBy, IsTheTrueDepthFromPredictionsElsewhere) {
 TEST(DepthBy, EveryObservationMakesTheDepthSharper) {
   const test::BlockScene block = scene_of_one_line();
   const SearchedViews views(block.scene, {});
-  std::vector<Observation> all{observed(views, 1, kTrueHeights_m)};
+  std::vector<PredictionResidual> all{observed(views, 1, kTrueHeights_m)};
   SegmentDepth before = depth_by(all);
   for (std::size_t v = 2; v < views.size(); ++v) {
     all.push_back(observed(views, v, kTrueHeights_m));

@@ -17,10 +17,10 @@ using test::BlockScene;
 
 constexpr double kHeight_m = 1e-6;  // doubles of rays of 800 m leave about 1e-9
 
-bool all_free(const Sighting& /*sighting*/) { return true; }
+bool all_free(const Observation& /*observation*/) { return true; }
 
 std::optional<ProposedTrack> proposed(const BlockScene& block,
-                                      const Sighting& reference,
+                                      const Observation& reference,
                                       const std::vector<MatchedPair>& pairs = {},
                                       const IsFree& is_free = all_free) {
   const SearchedViews views(block.scene, pairs);
@@ -31,10 +31,10 @@ TEST(ProposeTrack, HasTheHeightsOfTheLine) {
   const BlockScene block = test::block_of_lines();
   for (std::size_t v = 0; v < block.scene.views.size(); ++v) {
     for (std::size_t s = 0; s < block.line_of[v].size(); ++s) {
-      const Sighting reference{v, static_cast<int>(s)};
+      const Observation reference{v, static_cast<int>(s)};
       const auto track = proposed(block, reference);
       ASSERT_TRUE(track) << v << " " << s;
-      EXPECT_EQ(track->seen[0], reference);
+      EXPECT_EQ(track->base(), reference);
       const Segment3& truth = block.lines[static_cast<std::size_t>(block.line_at(reference))];
       EXPECT_NEAR(track->depth.heights_m[0], truth.start.z(), kHeight_m) << v << " " << s;
       EXPECT_NEAR(track->depth.heights_m[1], truth.end.z(), kHeight_m) << v << " " << s;
@@ -116,7 +116,8 @@ TEST(ProposeTrack, LeavesOutTheSegmentThatAllOtherViewsContradict) {
   block.show(2, 1, 0.0, 1.0);
   const auto track = proposed(block, {0, 0});
   ASSERT_TRUE(track);
-  EXPECT_TRUE(std::ranges::none_of(track->seen, [](const Sighting& s) { return s.view == 2; }));
+  EXPECT_TRUE(
+      std::ranges::none_of(track->observations, [](const Observation& s) { return s.view == 2; }));
   EXPECT_NEAR(track->depth.heights_m[0], line.start.z(), kHeight_m);
   EXPECT_NEAR(track->depth.heights_m[1], line.end.z(), kHeight_m);
 }
@@ -126,7 +127,7 @@ TEST(ProposeTrack, ParallelSegmentsBesideTheLineLowerTheOddsByTheirDensity) {
   BlockScene lone;
   lone.add(line);
   BlockScene crowded = lone;
-  for (const double beside_m : {-0.8, 0.8}) {  // 7 px across, which is no sighting
+  for (const double beside_m : {-0.8, 0.8}) {  // 7 px across, which is no observation
     const Eigen::Vector3d by_m(0.0, beside_m, 0.0);
     crowded.lines.push_back({line.start + by_m, line.end + by_m});
     crowded.show(3, static_cast<int>(crowded.lines.size()) - 1, 0.0, 1.0);
@@ -134,7 +135,7 @@ TEST(ProposeTrack, ParallelSegmentsBesideTheLineLowerTheOddsByTheirDensity) {
   const auto among_none = proposed(lone, {0, 0});
   const auto among_two = proposed(crowded, {0, 0});
   ASSERT_TRUE(among_none && among_two);
-  EXPECT_EQ(among_none->seen, among_two->seen);
+  EXPECT_EQ(among_none->observations, among_two->observations);
   constexpr double kLess = 0.1;  // the share 1 - seen_share = 0.3 beside odds of 3 and more
   EXPECT_NEAR(among_none->log_odds - among_two->log_odds, std::log(3.5 / 1.5), kLess);
 }
@@ -148,10 +149,11 @@ TEST(ProposeTrack, OfTwoViewsIsNothing) {
 TEST(ProposeTrack, TakesFreeSegmentsAlone) {
   BlockScene block;
   block.add({{-5.0, -3.0, 4.0}, {5.0, 4.0, 5.0}});
-  const auto track = proposed(block, {0, 0}, {}, [](const Sighting& s) { return s.view != 3; });
+  const auto track = proposed(block, {0, 0}, {}, [](const Observation& s) { return s.view != 3; });
   ASSERT_TRUE(track);
-  EXPECT_EQ(track->seen.size(), 4);
-  EXPECT_TRUE(std::ranges::none_of(track->seen, [](const Sighting& s) { return s.view == 3; }));
+  EXPECT_EQ(track->observations.size(), 4);
+  EXPECT_TRUE(
+      std::ranges::none_of(track->observations, [](const Observation& s) { return s.view == 3; }));
 }
 
 TEST(ProposeTrack, IsNothingOutsideTheHeightsOrForAWall) {
@@ -187,18 +189,18 @@ TEST(AddPieces, AddsThoseOnTheLineWithinItsPart) {
   block.show(1, line + 1, 0.7, 0.9);  // 4: 4 px beside
   const SearchedViews views(block.scene, {});
   auto track = propose_track(views, {0, 0}, {}, {},
-                             [](const Sighting& s) { return s.view != 1 || s.segment == 0; });
+                             [](const Observation& s) { return s.view != 1 || s.segment == 0; });
   ASSERT_TRUE(track);
   const auto of_view_1 = [&] {
     std::vector<int> all;
-    for (const Sighting& s : track->seen) {
+    for (const Observation& s : track->observations) {
       if (s.view == 1) all.push_back(s.segment);
     }
     return all;
   };
   ASSERT_EQ(of_view_1(), (std::vector<int>{0}));
   add_pieces(
-      views, {}, [](const Sighting& s) { return s.segment != 1; }, *track);
+      views, {}, [](const Observation& s) { return s.segment != 1; }, *track);
   EXPECT_EQ(of_view_1(), (std::vector<int>{0}));
   add_pieces(views, {}, all_free, *track);
   EXPECT_EQ(of_view_1(), (std::vector<int>{0, 1}));

@@ -19,26 +19,27 @@ namespace {
 
 using test::BlockScene;
 
-/// Expects that all sightings of each track show one line, and that each segment is in one track at
-/// most.
+/// Expects that all observations of each track show one line, and that each segment is in one track
+/// at most.
 void expect_true_tracks(const BlockScene& block, const std::vector<Track>& tracks) {
-  std::set<Sighting> taken;
+  std::set<Observation> taken;
   for (const Track& track : tracks) {
-    ASSERT_GE(track.seen.size(), 2);
-    EXPECT_NE(track.seen[0].view, track.seen[1].view);
-    for (const Sighting& s : track.seen) {
-      EXPECT_EQ(block.line_at(s), block.line_at(track.seen[0]));
+    ASSERT_GE(track.observations.size(), 2);
+    EXPECT_NE(track.base().view, track.other().view);
+    for (const Observation& s : track.observations) {
+      EXPECT_EQ(block.line_at(s), block.line_at(track.base()));
       EXPECT_TRUE(taken.insert(s).second) << s.view << " " << s.segment;
     }
   }
 }
 
-/// The number of sightings in the tracks of each line.
+/// The number of observations in the tracks of each line.
 std::vector<std::vector<std::size_t>> sizes_by_line(const BlockScene& block,
                                                     const std::vector<Track>& tracks) {
   std::vector<std::vector<std::size_t>> sizes(block.lines.size());
   for (const Track& track : tracks)
-    sizes[static_cast<std::size_t>(block.line_at(track.seen[0]))].push_back(track.seen.size());
+    sizes[static_cast<std::size_t>(block.line_at(track.base()))].push_back(
+        track.observations.size());
   return sizes;
 }
 
@@ -68,7 +69,7 @@ TEST(TracksOf, ALineInPiecesIsOneTrackWithAllPieces) {
   const std::vector<Track> tracks = tracks_of(block.scene, {});
   expect_true_tracks(block, tracks);
   ASSERT_EQ(tracks.size(), 1);
-  EXPECT_EQ(tracks[0].seen.size(), 4 + 3);
+  EXPECT_EQ(tracks[0].observations.size(), 4 + 3);
 }
 
 TEST(TracksOf, PiecesBesideEachOtherAreNotOneTrack) {
@@ -79,7 +80,7 @@ TEST(TracksOf, PiecesBesideEachOtherAreNotOneTrack) {
   block.show(1, line, 0.2, 0.8);
   const std::vector<Track> tracks = tracks_of(block.scene, {});
   ASSERT_EQ(tracks.size(), 1);
-  EXPECT_EQ(tracks[0].seen.size(), 5);
+  EXPECT_EQ(tracks[0].observations.size(), 5);
 }
 
 /// Equal lines across a strip, 2 m apart. A height that is wrong by 2 m x 800 / 208 moves the image
@@ -145,7 +146,7 @@ TEST(TracksOf, AMatchByLookWithoutAThirdViewIsATrackOfTwo) {
   const std::vector<MatchedPair> pairs{block.matches({0, 1})};
   const std::vector<Track> tracks = tracks_of(block.scene, pairs);
   ASSERT_EQ(tracks.size(), 1);
-  EXPECT_EQ(tracks[0].seen, (std::vector<Sighting>{{0, 0}, {1, 0}}));
+  EXPECT_EQ(tracks[0].observations, (std::vector<Observation>{{0, 0}, {1, 0}}));
 }
 
 TEST(TracksOf, BeginsWithTheBaseAndTheSearchViewOfAMatchedPair) {
@@ -153,7 +154,7 @@ TEST(TracksOf, BeginsWithTheBaseAndTheSearchViewOfAMatchedPair) {
   const std::vector<MatchedPair> pairs{{{3, 1}, {}}, {{0, 1}, {}}};
   for (const Track& track : tracks_of(block.scene, pairs)) {
     std::vector<std::size_t> views;
-    for (const Sighting& s : track.seen) views.push_back(s.view);
+    for (const Observation& s : track.observations) views.push_back(s.view);
     EXPECT_EQ(views, (std::vector<std::size_t>{3, 1, 0, 2, 4}));
   }
 }
@@ -162,7 +163,7 @@ using TracksById = std::set<std::set<std::pair<std::string, int>>>;
 
 TracksById tracks_by_id(const BlockScene& block) {
   TracksById all;
-  for (const Track& track : tracks_of(block.scene, {})) all.insert(block.sightings_by_id(track));
+  for (const Track& track : tracks_of(block.scene, {})) all.insert(block.observations_by_id(track));
   return all;
 }
 
@@ -184,7 +185,8 @@ TEST(TracksOf, DoesNotDependOnTheNumberOfThreads) {
   const std::vector<Track> of_one = with_threads(1);
   const std::vector<Track> of_four = with_threads(4);
   ASSERT_EQ(of_four.size(), of_one.size());
-  for (std::size_t i = 0; i < of_one.size(); ++i) EXPECT_EQ(of_four[i].seen, of_one[i].seen);
+  for (std::size_t i = 0; i < of_one.size(); ++i)
+    EXPECT_EQ(of_four[i].observations, of_one[i].observations);
 }
 
 TEST(TracksOf, OfLinesInDisorderHasEachSegmentOnce) {
@@ -208,9 +210,9 @@ TEST(TracksOf, OfLinesInDisorderHasEachSegmentOnce) {
   eager.min_margin = 0.0;
   const std::vector<Track> tracks = tracks_of(block.scene, pairs, {}, eager);
   EXPECT_GT(tracks.size(), 20);
-  std::set<Sighting> taken;
+  std::set<Observation> taken;
   for (const Track& track : tracks) {
-    for (const Sighting& s : track.seen) EXPECT_TRUE(taken.insert(s).second);
+    for (const Observation& s : track.observations) EXPECT_TRUE(taken.insert(s).second);
   }
 }
 

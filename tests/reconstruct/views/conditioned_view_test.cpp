@@ -74,10 +74,14 @@ TEST(Observe, HoldsTheConditionedSegmentItsLineAndPlane) {
   const Segment3 truth{{-3, 1, 2}, {4, 6, 7}};
   const auto observed = scene.observe(test::exact_pair(scene.scene, truth));
   for (std::size_t j = 0; j < 2; ++j) {
-    EXPECT_NEAR(observed[j].line.mean.dot(observed[j].segment.start.homogeneous()), 0.0, 1e-12);
-    EXPECT_NEAR(observed[j].plane.mean.norm(), 1.0, 1e-12);
-    EXPECT_NEAR(observed[j].plane.mean.dot(scene.conditioned(truth.end).homogeneous()), 0.0, 1e-12);
-    EXPECT_NEAR(observed[j].sigma_e * scene.frames.views[j].image.scale_px, 1.0, 1e-12);
+    EXPECT_NEAR(observed.observations[j].line.mean.dot(
+                    observed.observations[j].segment.start.homogeneous()),
+                0.0, 1e-12);
+    EXPECT_NEAR(observed.observations[j].plane.mean.norm(), 1.0, 1e-12);
+    EXPECT_NEAR(observed.observations[j].plane.mean.dot(scene.conditioned(truth.end).homogeneous()),
+                0.0, 1e-12);
+    EXPECT_NEAR(observed.observations[j].sigma_e * scene.frames.views[j].image.scale_px, 1.0,
+                1e-12);
   }
 }
 

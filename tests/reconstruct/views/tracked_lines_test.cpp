@@ -36,22 +36,24 @@ struct TwoTrackedLines {
   }
 };
 
-TEST(TrackedLines, AreInTheOrderOfTheirSightings) {
+TEST(TrackedLines, AreInTheOrderOfTheirObservations) {
   const TwoTrackedLines two;
-  const std::vector<Sightings> seen = extracted(two.tracked());
+  const std::vector<TrackSegments> seen = extracted(two.tracked());
   const TrackedLines lines = two.lines();
   ASSERT_EQ(lines.lines.size(), two.tracks.size());
   for (std::size_t i = 0; i < two.tracks.size(); ++i) {
-    ASSERT_EQ(lines.lines[i].size(), two.tracks[i].seen.size());
-    for (std::size_t s = 0; s < two.tracks[i].seen.size(); ++s) {
-      const Sighting& sighting = two.tracks[i].seen[s];
-      const auto number = static_cast<std::size_t>(sighting.segment);
-      const Segment2& expected = two.segments[sighting.view][number].segment;
+    ASSERT_EQ(lines.lines[i].observations.size(), two.tracks[i].observations.size());
+    for (std::size_t s = 0; s < two.tracks[i].observations.size(); ++s) {
+      const Observation& observation = two.tracks[i].observations[s];
+      const auto number = static_cast<std::size_t>(observation.segment);
+      const Segment2& expected = two.segments[observation.view][number].segment;
       EXPECT_EQ(seen[i][s].segment.start, expected.start);
-      EXPECT_EQ(lines.lines[i][s].view, sighting.view);
-      const ImageConditioning& image = lines.frames.views[sighting.view].image;
-      EXPECT_LT((lines.lines[i][s].segment.end - image.conditioned_from_image(expected.end)).norm(),
-                kTrackedTol);
+      EXPECT_EQ(lines.lines[i].observations[s].view, observation.view);
+      const ImageConditioning& image = lines.frames.views[observation.view].image;
+      EXPECT_LT(
+          (lines.lines[i].observations[s].segment.end - image.conditioned_from_image(expected.end))
+              .norm(),
+          kTrackedTol);
     }
   }
 }
@@ -66,10 +68,10 @@ TEST(TrackedLines, OfABaseInTwoTracksEachHasThePartOfItsPartner) {
     return parameter_along(whole, image.image_from_conditioned(x));
   };
   constexpr double kShare = 1e-3;  // the scale along a line changes with its height
-  EXPECT_NEAR(parameter(lines.lines[0][0].segment.start), 0.0, kShare);
-  EXPECT_NEAR(parameter(lines.lines[0][0].segment.end), 0.4, kShare);
-  EXPECT_NEAR(parameter(lines.lines[1][0].segment.start), 0.6, kShare);
-  EXPECT_NEAR(parameter(lines.lines[1][0].segment.end), 1.0, kShare);
+  EXPECT_NEAR(parameter(lines.lines[0].base().segment.start), 0.0, kShare);
+  EXPECT_NEAR(parameter(lines.lines[0].base().segment.end), 0.4, kShare);
+  EXPECT_NEAR(parameter(lines.lines[1].base().segment.start), 0.6, kShare);
+  EXPECT_NEAR(parameter(lines.lines[1].base().segment.end), 1.0, kShare);
 }
 
 TEST(SeenTogether, HasEachViewOfBothOnceInTheOrderOfTheFirst) {
@@ -86,13 +88,13 @@ TEST(SeenTogether, HasEachViewOfBothOnceInTheOrderOfTheFirst) {
   EXPECT_EQ(of_second, (std::vector<std::size_t>{3, 1, 0}));
 }
 
-TEST(Registered, MovesEachSightingByItsOwnRegistration) {
+TEST(Registered, MovesEachObservationByItsOwnRegistration) {
   TwoTrackedLines two;
   const std::vector<Registrations> registrations{{{}, {}, {2.0, 3.0}, {}, {}}, Registrations(4)};
   TrackedSegments tracked = two.tracked();
   tracked.registrations = registrations;
-  const std::vector<Sightings> plain = extracted(tracked);
-  const std::vector<Sightings> moved = registered(tracked);
+  const std::vector<TrackSegments> plain = extracted(tracked);
+  const std::vector<TrackSegments> moved = registered(tracked);
   for (std::size_t s = 0; s < plain[0].size(); ++s) {
     const double by_px = s == 2 ? 2.0 : 0.0;
     const double scale = s == 2 ? 3.0 : 1.0;
@@ -102,7 +104,7 @@ TEST(Registered, MovesEachSightingByItsOwnRegistration) {
   }
 }
 
-TEST(Extracted, RejectsSightingsThatAreNotThere) {
+TEST(Extracted, RejectsObservationsThatAreNotThere) {
   TwoTrackedLines two;
   two.tracks = {{{{0, 0}, {5, 0}}}};
   EXPECT_THROW(extracted(two.tracked()), std::invalid_argument);
@@ -120,12 +122,12 @@ TEST(ConditionedViews, OfManyViewsHaveTheirEpipolarGeometry) {
   const Segment3& truth = two.block.lines[0];
   const Eigen::Vector3d x = lines.frames.object.conditioned_from_local(truth.start);
   for (std::size_t v = 0; v < two.cameras.size(); ++v) {
-    const Eigen::Vector2d in_v = lines.lines[0][v].segment.start;
+    const Eigen::Vector2d in_v = lines.lines[0].observations[v].segment.start;
     EXPECT_LT((project(lines.frames.views[v].image_from_object, x) - in_v).norm(), kTrackedTol);
     EXPECT_LE(in_v.norm(), 1.0 + kTrackedTol);
     for (std::size_t w = 0; w < two.cameras.size(); ++w) {
       if (w == v) continue;
-      const Eigen::Vector2d in_w = lines.lines[0][w].segment.start;
+      const Eigen::Vector2d in_w = lines.lines[0].observations[w].segment.start;
       const Eigen::Matrix3d f = lines.frames.fundamental(v, w);
       EXPECT_NEAR(in_w.homogeneous().dot(f * in_v.homogeneous()), 0.0, kTrackedTol) << v << w;
       EXPECT_EQ(f, lines.frames.fundamental(w, v).transpose());

@@ -48,23 +48,23 @@ Surface level_at(const Scene& scene, double z_m) {
   return surface;
 }
 
-Status status_of_pair(const Scene& scene, std::span<const Surface* const> surfaces) {
+bool is_pair_confirmed(const Scene& scene, std::span<const Surface* const> surfaces) {
   std::vector<ReconstructedLine> lines(1);
   lines[0].segment_in_local = kLine;
-  lines[0].status = Status::kDirect;
-  lines[0].seen = {{{0, 0}, {}}, {{1, 0}, {}}};
+  lines[0].failure.reset();
+  lines[0].observations = {{{0, 0}, {}}, {{1, 0}, {}}};
   mark_unconfirmed(scene, surfaces, lines);
-  return lines[0].status;
+  return lines[0].confirmed;
 }
 
 TEST(Confirmation, IsMissingWhereAThirdViewShouldShowTheLine) {
-  EXPECT_EQ(status_of_pair(three_views(), {}), Status::kUnconfirmed);
+  EXPECT_FALSE(is_pair_confirmed(three_views(), {}));
 }
 
 TEST(Confirmation, IsNotAskedOfAViewBesideTheLine) {
   Scene scene = three_views();
   scene.views[2].image = cv::Mat(kSize_px / 2, kSize_px / 2, CV_32F);  // the line is in the middle
-  EXPECT_EQ(status_of_pair(scene, {}), Status::kDirect);
+  EXPECT_TRUE(is_pair_confirmed(scene, {}));
 }
 
 TEST(Confirmation, IsNotAskedOfAViewThatASurfaceHidesTheLineFrom) {
@@ -73,20 +73,20 @@ TEST(Confirmation, IsNotAskedOfAViewThatASurfaceHidesTheLineFrom) {
   const Surface at = level_at(scene, 0.0);
   const Surface* const hides = &above;
   const Surface* const bears = &at;
-  EXPECT_EQ(status_of_pair(scene, {&hides, 1}), Status::kDirect);
-  EXPECT_EQ(status_of_pair(scene, {&bears, 1}), Status::kUnconfirmed);
+  EXPECT_TRUE(is_pair_confirmed(scene, {&hides, 1}));
+  EXPECT_FALSE(is_pair_confirmed(scene, {&bears, 1}));
 }
 
 TEST(Confirmation, IsThereForLinesOfThreeViewsAndLinesWithoutAPlace) {
   const Scene scene = three_views();
   std::vector<ReconstructedLine> lines(2);
   lines[0].segment_in_local = kLine;
-  lines[0].status = Status::kDirect;
-  lines[0].seen = {{{0, 0}, {}}, {{1, 0}, {}}, {{2, 0}, {}}};
-  lines[1].seen = {{{0, 1}, {}}, {{1, 1}, {}}};
+  lines[0].failure.reset();
+  lines[0].observations = {{{0, 0}, {}}, {{1, 0}, {}}, {{2, 0}, {}}};
+  lines[1].observations = {{{0, 1}, {}}, {{1, 1}, {}}};
   mark_unconfirmed(scene, {}, lines);
-  EXPECT_EQ(lines[0].status, Status::kDirect);
-  EXPECT_EQ(lines[1].status, Status::kNoIntersection);
+  EXPECT_STREQ(status_name(lines[0]), "direct");
+  EXPECT_STREQ(status_name(lines[1]), "no_intersection");
 }
 
 }  // namespace

@@ -78,15 +78,15 @@ TEST(MatchOfSeveralLines, GivesBothVergesOfAGable) {
   const Eigen::Vector2d top = project(kProfileScene.cameras[1], kVerges[0].end);
   for (std::size_t p = 0; p < 2; ++p) {
     EXPECT_EQ(lines[p].part, static_cast<int>(p) + 1);
-    EXPECT_EQ(lines[p].seen[0].sighting.segment, 0);
-    EXPECT_EQ(lines[p].status, Status::kJoint);
+    EXPECT_EQ(lines[p].base().segment, 0);
+    EXPECT_STREQ(status_name(lines[p]), "joint");
     ASSERT_TRUE(lines[p].segment_in_local && lines[p].covariance_m2);
     EXPECT_LT(worst_error_m(kVerges[p], lines[p]), kProfileRecoveredM);
-    const Segment2& right = lines[p].seen[1].px;
+    const Segment2& right = lines[p].other().px;
     EXPECT_LT(((p == 0 ? right.end : right.start) - top).norm(), kProfileRecoveredM);
   }
   EXPECT_EQ(lines[2].part, 0);
-  EXPECT_EQ(lines[2].seen[0].sighting.segment, 1);
+  EXPECT_EQ(lines[2].base().segment, 1);
 }
 
 TEST(MatchOfSeveralLines, OneEaveIsEnoughForBothVerges) {
@@ -94,7 +94,7 @@ TEST(MatchOfSeveralLines, OneEaveIsEnoughForBothVerges) {
   group.connections.pop_back();
   const std::vector<ReconstructedLine> lines = group.reconstruct(EstimationOptions{});
   ASSERT_EQ(lines.size(), group.matches.size() + 1);
-  EXPECT_EQ(lines[1].status, Status::kSegmentEnds);
+  EXPECT_STREQ(status_name(lines[1]), "segment_ends");
   for (std::size_t p = 0; p < 2; ++p)
     EXPECT_LT(worst_error_m(kVerges[p], lines[p]), kProfileRecoveredM);
 }

@@ -76,9 +76,9 @@ TEST(SurfaceDepth, SwitchedOffSaysNothing) {
   const Surface surface = surface_beside(group, 6.0, 0.0);
   EstimationOptions without;
   without.beyond.surface = false;
-  EXPECT_EQ(reconstructed(group, &surface, without).status,
-            reconstructed(group, nullptr, without).status);
-  EXPECT_NE(reconstructed(group, &surface, without).status, Status::kSurface);
+  EXPECT_STREQ(status_name(reconstructed(group, &surface, without)),
+               status_name(reconstructed(group, nullptr, without)));
+  EXPECT_STRNE(status_name(reconstructed(group, &surface, without)), "surface");
 }
 
 TEST(SurfaceDepth, GivesTheDepthOfAnEaveWhoseMateRunsOn) {
@@ -89,7 +89,7 @@ TEST(SurfaceDepth, GivesTheDepthOfAnEaveWhoseMateRunsOn) {
     const Surface surface = surface_beside(group, towards_m, away_m);
     const ReconstructedLine line = reconstructed(group, &surface);
     ASSERT_TRUE(line.segment_in_local) << towards_m << " " << away_m;
-    EXPECT_EQ(line.status, Status::kSurface);
+    EXPECT_STREQ(status_name(line), "surface");
     EXPECT_LT(error_m(group, line), kSurface_m);
   }
 }
@@ -101,7 +101,7 @@ TEST(SurfaceDepth, StandsAgainstANetworkWithFewerMeetings) {
   options.lines.method = Method::kNetwork;
   const ReconstructedLine line = reconstructed(group, &surface, options);
   ASSERT_TRUE(line.segment_in_local);
-  EXPECT_EQ(line.status, Status::kSurface);
+  EXPECT_STREQ(status_name(line), "surface");
 }
 
 /// Expects that lines that meet keep a line at its height between surfaces of other heights.
@@ -150,7 +150,7 @@ TEST(SurfaceDepth, OfNothingChangesNothing) {
   const ReconstructedLine without = reconstructed(group, nullptr);
   ASSERT_TRUE(with.segment_in_local && without.segment_in_local);
   EXPECT_EQ(segment_of(with).start, segment_of(without).start);
-  EXPECT_EQ(with.status, without.status);
+  EXPECT_STREQ(status_name(with), status_name(without));
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ class GuidedMatchesTest : public testing::Test {
     return segment;
   }
 
-  [[nodiscard]] GuidedMatches found(std::span<const LineMatch> known = {}) const {
+  [[nodiscard]] GuidedMatches found(std::span<const Correspondence> known = {}) const {
     return guided_matches(pair, *surface, known, {});
   }
 
@@ -68,7 +68,7 @@ TEST_F(GuidedMatchesTest, FindTheMateThatTheOtherViewLacks) {
     pair.views[1 - guide].segments.clear();
     const GuidedMatches guided = found();
     ASSERT_EQ(guided.matches.size(), 1U) << guide;
-    EXPECT_EQ(guided.matches[0].match, (LineMatch{0, 0}));
+    EXPECT_EQ(guided.matches[0].segments(), (std::pair{0, 0}));
     ASSERT_EQ(guided.mates[1 - guide].size(), 1U);
     EXPECT_TRUE(guided.mates[guide].empty());
     const EdgeSegment& mate = guided.mates[1 - guide][0];
@@ -83,7 +83,7 @@ TEST_F(GuidedMatchesTest, FindTheMateThatTheOtherViewLacks) {
 TEST_F(GuidedMatchesTest, LeaveMatchedSegmentsAlone) {
   pair.views[0].segments = {seen(0)};
   pair.views[1].segments = {seen(1, 30.0)};
-  EXPECT_TRUE(found(std::array{LineMatch{0, 0}}).matches.empty());
+  EXPECT_TRUE(found(std::array{Correspondence{0, 0}}).matches.empty());
 }
 
 TEST_F(GuidedMatchesTest, AreNotWhereASegmentIsAlready) {
@@ -97,7 +97,7 @@ TEST_F(GuidedMatchesTest, CountTheirMatesAfterThePairsSegments) {
   pair.views[1].segments = {seen(1, 30.0)};
   const GuidedMatches guided = found();
   ASSERT_EQ(guided.matches.size(), 1U);
-  EXPECT_EQ(guided.matches[0].match, (LineMatch{0, 1}));
+  EXPECT_EQ(guided.matches[0].segments(), (std::pair{0, 1}));
 }
 
 TEST_F(GuidedMatchesTest, AreNoneOfWhatLooksDifferent) {

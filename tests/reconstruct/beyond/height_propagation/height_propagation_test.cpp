@@ -23,8 +23,8 @@ class PropagateHeights : public testing::Test {
     inclined_ = static_cast<int>(pair_.views[0].segments.size()) - 1;
   }
 
-  [[nodiscard]] std::vector<ScoredMatch> from(const std::vector<ScoredMatch>& given,
-                                              double min_similarity = 0.0) const {
+  [[nodiscard]] std::vector<Correspondence> from(const std::vector<Correspondence>& given,
+                                                 double min_similarity = 0.0) const {
     MatchExtensionOptions options;
     options.propagate_min_similarity = min_similarity;
     return propagate_heights(pair_.pair(), given, {}, {}, chio_extensions({}, {}), options);
@@ -37,14 +37,14 @@ class PropagateHeights : public testing::Test {
 TEST_F(PropagateHeights, FindsNothingBesideNothing) { EXPECT_TRUE(from({}).empty()); }
 
 TEST_F(PropagateHeights, FindsTheLineThatMeetsAMatchedOne) {
-  const std::vector<ScoredMatch> all = from({{{1, 1}, 1.0, 1.0}, {{3, 3}, 1.0, 1.0}});
+  const std::vector<Correspondence> all = from({{1, 1, 1.0, 1.0}, {3, 3, 1.0, 1.0}});
   ASSERT_EQ(all.size(), 1U);
-  EXPECT_EQ(all[0].match.left, inclined_);
-  EXPECT_EQ(all[0].match.right, inclined_);
+  EXPECT_EQ(all[0].base, inclined_);
+  EXPECT_EQ(all[0].other, inclined_);
 }
 
 TEST_F(PropagateHeights, LeavesLinesThatDoNotLookAlike) {
-  EXPECT_TRUE(from({{{1, 1}, 1.0, 1.0}, {{3, 3}, 1.0, 1.0}}, 1.0).empty());
+  EXPECT_TRUE(from({{1, 1, 1.0, 1.0}, {3, 3, 1.0, 1.0}}, 1.0).empty());
 }
 
 }  // namespace

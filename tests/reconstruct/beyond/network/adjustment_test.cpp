@@ -21,8 +21,8 @@ std::vector<NetworkLine> observed_lines(const ConditionedScene& scene,
   std::vector<NetworkLine> lines;
   for (const Segment3& segment : truth) {
     NetworkLine line;
-    line.seen = scene.observe(test::noisy_pair(scene.scene, segment, {}, random));
-    const UncertainLine3 direct = *intersection(line.seen[0].plane, line.seen[1].plane);
+    line.track = scene.observe(test::noisy_pair(scene.scene, segment, {}, random));
+    const UncertainLine3 direct = *intersection(line.track.base().plane, line.track.other().plane);
     line.start = direct.mean;
     line.start_cov = direct.cov;
     lines.push_back(line);
@@ -133,8 +133,8 @@ NetworkLine contradictory_line(const ConditionedScene& scene, test::Random& rand
   const Eigen::Vector3d moved_m(apart_m(3.0), apart_m(3.0), apart_m(5.0));
   const Segment3 other{one.start + moved_m, one.end - moved_m};
   NetworkLine line = observed_lines(scene, {one}, random)[0];
-  for (const ObservedLine& seen : scene.observe(test::exact_pair(scene.scene, other)))
-    line.seen.push_back(seen);
+  for (const ObservedLine& seen : scene.observe(test::exact_pair(scene.scene, other)).observations)
+    line.track.observations.push_back(seen);
   return line;
 }
 

@@ -52,7 +52,7 @@ class Conditions : public testing::Test {
 
 TEST_F(Conditions, ImageDeviationIsZeroOnTheTrueLineOfEitherSign) {
   for (std::size_t j = 0; j < 2; ++j) {
-    const ImageCondition image(scene.frames.views[j].image_from_object, seen[j].line);
+    const ImageCondition image(scene.frames.views[j].image_from_object, seen.observations[j].line);
     for (const OfLine& deviation : image.at(line)) EXPECT_NEAR(deviation.value, 0.0, kRounding);
     for (const OfLine& deviation : image.at(-line)) EXPECT_NEAR(deviation.value, 0.0, kRounding);
   }
@@ -64,7 +64,7 @@ TEST_F(Conditions, ImageDeviationHasUnitVariance) {
   double sum = 0.0;
   for (int trial = 0; trial < kTrials; ++trial) {
     const auto noisy = scene.observe(test::noisy_pair(scene.scene, segment, {}, random));
-    const ImageCondition image(scene.frames.views[0].image_from_object, noisy[0].line);
+    const ImageCondition image(scene.frames.views[0].image_from_object, noisy.base().line);
     for (const OfLine& deviation : image.at(line)) sum += deviation.value * deviation.value;
   }
   EXPECT_NEAR(sum / kTrials, 2.0, test::chi_square_mean_band(2.0, kTrials));
@@ -76,7 +76,8 @@ TEST_F(Conditions, ImageDerivatives) {
     const Vector6d off = sign * scene.line({segment.start + Eigen::Vector3d(0, 0.1, 0.2),
                                             segment.end + Eigen::Vector3d(0, -0.05, 0.4)});
     for (std::size_t j = 0; j < 2; ++j) {
-      const ImageCondition image(scene.frames.views[j].image_from_object, seen[j].line);
+      const ImageCondition image(scene.frames.views[j].image_from_object,
+                                 seen.observations[j].line);
       for (const std::size_t i : {0U, 1U}) {
         expect_derivatives([&](const Vector6d& l) { return image.at(l)[i].value; }, off,
                            image.at(off)[i].by_line);
@@ -116,7 +117,7 @@ TEST_F(Conditions, RiseIsTheSineOfTheSlope) {
 
 TEST_F(Conditions, HeightIsThatOfTheSegmentsEnd) {
   const ConditionedView& left = scene.frames.views[0];
-  const Eigen::Vector4d plane = end_plane(left, seen[0].segment, seen[0].segment.end);
+  const Eigen::Vector4d plane = end_plane(left, seen.base().segment, seen.base().segment.end);
   EXPECT_NEAR(height_in_plane(line, plane).value, scene.conditioned(segment.end).z(), kRounding);
   expect_derivatives([&](const Vector6d& l) { return height_in_plane(l, plane).value; }, line,
                      height_in_plane(line, plane).by_line);
@@ -125,9 +126,9 @@ TEST_F(Conditions, HeightIsThatOfTheSegmentsEnd) {
 TEST_F(Conditions, EndParallaxIsZeroWhereBothEndsShowThePoint) {
   const ConditionedView& right = scene.frames.views[1];
   const Eigen::Vector4d plane =
-      end_plane(scene.frames.views[0], seen[0].segment, seen[0].segment.start);
+      end_plane(scene.frames.views[0], seen.base().segment, seen.base().segment.start);
   const auto parallax = [&](const Vector6d& l) {
-    return end_parallax(l, plane, right, seen[1].segment, seen[1].segment.start);
+    return end_parallax(l, plane, right, seen.other().segment, seen.other().segment.start);
   };
   EXPECT_NEAR(parallax(line).value, 0.0, kRounding);
   const Vector6d off = scene.line({segment.start + Eigen::Vector3d(0, 0, 1), segment.end});

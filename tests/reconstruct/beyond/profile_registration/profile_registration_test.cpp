@@ -71,7 +71,8 @@ class Marking {
   /// The profiles of a match whose segments show `in_left` in the left and `in_right` in the right
   /// image.
   [[nodiscard]] ComparedProfiles compared(const Segment3& in_left, const Segment3& in_right) const {
-    return compare_profiles(pair(in_left, in_right), std::vector<LineMatch>{{0, 0}}, 10.0).at(0);
+    return compare_profiles(pair(in_left, in_right), std::vector<Correspondence>{{0, 0}}, 10.0)
+        .at(0);
   }
   [[nodiscard]] double shift_px(const Segment3& in_left, const Segment3& in_right) const {
     return compared(in_left, in_right).right_shift_px;

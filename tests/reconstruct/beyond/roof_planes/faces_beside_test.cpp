@@ -61,7 +61,7 @@ TEST(FacesBeside, RidgesAndVergesComeToTheHeightOfTheirFaces) {
     const PlaneFaces faces = plane_faces(gable.surface());
     for (const Segment3& truth : {gable.ridge(), verge(gable)}) {
       ReconstructedLine line = line_at(moved(truth, {0.0, 0.0, 0.3}));
-      line.partner_segment_in_local =
+      line.other_segment_in_local =
           Segment3{point_at(segment_of(line), 0.25), point_at(segment_of(line), 1.25)};
       adjust_to_faces_beside(gable.rectification(), faces, line);
       EXPECT_LT(largest_distance_m(segment_of(line), truth), kFromFaces_m) << azimuth_deg;

@@ -47,10 +47,10 @@ TEST(PlaneLines, RidgeOfAGableIsWhereItsRoofPlanesMeet) {
     for (const Eigen::Vector3d& end : {found.start, found.end})
       EXPECT_LT(distance_from_axis_m(gable.ridge(), end), kOfFloats_m) << azimuth_deg;
     EXPECT_NEAR(length(found), length(gable.ridge()), kOfCells_m);
-    EXPECT_EQ(lines[0].status, Status::kPlanes);
-    EXPECT_EQ(lines[0].seen[1].sighting, (Sighting{1, -1}));
+    EXPECT_STREQ(status_name(lines[0]), "planes");
+    EXPECT_EQ(lines[0].other(), (Observation{1, -1}));
     const Segment2 seen = project(gable.pair().cameras()[1], found);
-    EXPECT_LT((lines[0].seen[1].px.start - seen.start).norm(), 1e-9);
+    EXPECT_LT((lines[0].other().px.start - seen.start).norm(), 1e-9);
     EXPECT_EQ(lines[0].line_class,
               azimuth_deg == 0.0 ? LineClass::kAligned : LineClass::kNotAligned);
   }

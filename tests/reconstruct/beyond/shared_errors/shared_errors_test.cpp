@@ -114,7 +114,7 @@ ObservedTrack seen_by(std::size_t n, double errors, test::Random& random) {
     seen.sigma_q_px = stated.q_px;
     seen.sigma_phi_rad = stated.phi_rad;
     segments[v] = {seen};
-    tracks[0].seen.push_back({v, 0});
+    tracks[0].observations.push_back({v, 0});
   }
   const TrackedSegments tracked{cameras, segments, tracks, {}};
   return tracked_lines(tracked, extracted(tracked), LineCovariance::kCentroid).lines[0];

@@ -26,7 +26,9 @@ using Points = std::vector<UncertainPoint3>;
 /// stereo pair.
 const Eigen::Vector3d kPointSigmaM(0.05, 0.05, 0.2);
 
-Planes planes_of(const ObservedTrack& observed) { return {observed[0].plane, observed[1].plane}; }
+Planes planes_of(const ObservedTrack& observed) {
+  return {observed.base().plane, observed.other().plane};
+}
 
 /// A point of the segment, with random error or none without `random`.
 UncertainPoint3 point_of(const ConditionedScene& scene,
@@ -59,7 +61,7 @@ TEST(AdjustLine, WithTwoPlanesIsTheirIntersection) {
   for (const double theta_deg : {90.0, 45.0, 15.0}) {
     const Segment3 truth = segment_at(scene, theta_deg);
     const auto observed = scene.observe(test::noisy_pair(scene.scene, truth, {}, random));
-    const auto line = intersection(observed[0].plane, observed[1].plane);
+    const auto line = intersection(observed.base().plane, observed.other().plane);
     const auto adjusted = adjust_line(planes_of(observed), {});
     ASSERT_TRUE(line && adjusted);
     EXPECT_TRUE(adjusted->converged && adjusted->full_rank);
@@ -188,7 +190,7 @@ TEST(AdjustLine, OfTwoPlanesHasTheStatedErrors) {
     for (int trial = 0; trial < kTrials; ++trial) {
       const auto observed =
           scene.observe(test::noisy_pair(scene.scene, truth, test::scaled({}, factor), random));
-      sum += test::nees(*intersection(observed[0].plane, observed[1].plane), line,
+      sum += test::nees(*intersection(observed.base().plane, observed.other().plane), line,
                         line_tangent_basis(line));
     }
     EXPECT_NEAR(sum / kTrials, 4.0, test::chi_square_mean_band(4.0, kTrials)) << theta_deg;
@@ -225,7 +227,7 @@ TEST(AdjustLine, OfThreePlanesHasTwoRedundantConditions) {
 TEST(AdjustLine, OfCoincidentPlanesNeedsTwoPoints) {
   const ConditionedScene scene;
   const Segment3 truth = segment_at(scene, 0.0);
-  const ObservedLine left = scene.observe(test::exact_pair(scene.scene, truth))[0];
+  const ObservedLine left = scene.observe(test::exact_pair(scene.scene, truth)).base();
   const Planes planes{left.plane, left.plane};
   Points points;
   for (const auto& [parameter, full_rank] : {std::pair(0.1, false), std::pair(0.9, true)}) {
@@ -241,7 +243,7 @@ TEST(AdjustLine, OfCoincidentPlanesNeedsTwoPoints) {
 TEST(AdjustLine, NullDirectionsAreTwoOneAndNoneWithMorePoints) {
   const ConditionedScene scene;
   const Segment3 truth = segment_at(scene, 0.0);
-  const ObservedLine left = scene.observe(test::exact_pair(scene.scene, truth))[0];
+  const ObservedLine left = scene.observe(test::exact_pair(scene.scene, truth)).base();
   const UncertainPoint3 a = point_of(scene, truth, 0.1, nullptr);
   const UncertainPoint3 b = point_of(scene, truth, 0.9, nullptr);
   // free directions carry no increment and no covariance, so the line is one of many

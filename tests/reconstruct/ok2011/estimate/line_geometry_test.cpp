@@ -25,7 +25,7 @@ TEST(Endpoints, AreThoseOfTheSegmentThatWasSeen) {
     const auto observed = scene.observe(test::exact_pair(scene.scene, truth));
     for (std::size_t j = 0; j < 2; ++j) {
       const auto ends = endpoints({scene.line(truth), kNoCovariance}, scene.frames.views[j],
-                                  observed[j], scene.frames.views);
+                                  observed.observations[j], scene.frames.views);
       ASSERT_TRUE(ends);
       EXPECT_LT((ends->segment.start - scene.conditioned(truth.start)).norm(), kTol);
       EXPECT_LT((ends->segment.end - scene.conditioned(truth.end)).norm(), kTol);
@@ -39,7 +39,7 @@ TEST(Endpoints, PropagateTheLineLikeCentralDifferences) {
   test::Random random(102);
   for (int trial = 0; trial < 50; ++trial) {
     const Segment3 truth{random.vector(-15, 15), random.vector(-15, 15)};
-    ObservedLine observed = scene.observe(test::exact_pair(scene.scene, truth))[0];
+    ObservedLine observed = scene.observe(test::exact_pair(scene.scene, truth)).base();
     observed.sigma_e = 0.0;
     const auto ends = [&](const Vector6d& line) {
       const auto both = endpoints({line, kNoCovariance}, view, observed, scene.frames.views);
@@ -58,7 +58,7 @@ TEST(Endpoints, PropagateTheLineLikeCentralDifferences) {
 TEST(Endpoints, MoveAlongTheLineWithTheImageEndpoint) {
   const ConditionedScene scene;
   const Segment3 truth{{-3, 1, 2}, {4, 6, 7}};
-  const ObservedLine observed = scene.observe(test::exact_pair(scene.scene, truth))[0];
+  const ObservedLine observed = scene.observe(test::exact_pair(scene.scene, truth)).base();
   const auto ends = endpoints({scene.line(truth), kNoCovariance}, scene.frames.views[0], observed,
                               scene.frames.views);
   ASSERT_TRUE(ends);
@@ -82,8 +82,8 @@ TEST(Endpoints, HaveTheStatedCovarianceUnderNoise) {
   for (int trial = 0; trial < kTrials; ++trial) {
     const auto observed =
         scene.observe(test::noisy_pair(scene.scene, truth, test::scaled({}, 0.5), random));
-    const auto line = intersection(observed[0].plane, observed[1].plane);
-    const auto ends = endpoints(*line, scene.frames.views[0], observed[0], scene.frames.views);
+    const auto line = intersection(observed.base().plane, observed.other().plane);
+    const auto ends = endpoints(*line, scene.frames.views[0], observed.base(), scene.frames.views);
     Vector6d error;
     error << ends->segment.start - scene.conditioned(truth.start),
         ends->segment.end - scene.conditioned(truth.end);
@@ -94,7 +94,8 @@ TEST(Endpoints, HaveTheStatedCovarianceUnderNoise) {
 
 TEST(Endpoints, AreEmptyBehindACameraAndAtInfinity) {
   const ConditionedScene scene;
-  const auto observed = scene.observe(test::exact_pair(scene.scene, {{-3, 1, 2}, {4, 6, 7}}))[0];
+  const auto observed =
+      scene.observe(test::exact_pair(scene.scene, {{-3, 1, 2}, {4, 6, 7}})).base();
   const Segment3 above{{-3, 1, 1700}, {4, 6, 1700}};
   EXPECT_FALSE(endpoints({scene.line(above), kNoCovariance}, scene.frames.views[0], observed,
                          scene.frames.views));

@@ -28,7 +28,7 @@ ReconstructedLine line_of_views(std::size_t n, const Segment3& truth, test::Rand
     const Segment2 image = project(in_order[v], truth);
     segments.push_back(
         {random != nullptr ? test::noisy(image, noise, *random) : test::exact(image, noise)});
-    tracks[0].seen.push_back({v, 0});
+    tracks[0].observations.push_back({v, 0});
   }
   EstimationOptions options = test::direct_options();
   options.lines.line_covariance = LineCovariance::kCentroid;
@@ -87,7 +87,7 @@ ReconstructedLine aligned_line_of(std::size_t n) {
     for (std::size_t i = 0; i < truth.size(); ++i) {
       const Segment2 image = project(cameras[v], truth[i]);
       segments[v].push_back(test::exact(image, noise));
-      tracks[i].seen.push_back({v, static_cast<int>(i)});
+      tracks[i].observations.push_back({v, static_cast<int>(i)});
     }
   }
   const std::vector<PairConnection> connections{{0, 1}};

@@ -93,7 +93,7 @@ TEST_P(OnePoint, NeverStatesLessPrecisionThanDirect) {
       for (std::size_t j = 0; j < 2; ++j) group.segments[j][i] = test::exact(images[j]);
     }
     const ReconstructedLine line = group.reconstruct(options)[0];
-    if (line.status != Status::kOnePoint) continue;
+    if (line.determination != Determination::kOnePoint) continue;
     const double sigma_z_m =
         std::sqrt(std::max(covariance_of(line)(2, 2), covariance_of(line)(5, 5)));
     EXPECT_LE(sigma_z_m, (1.0 + kRounding) * *line.direct_sigma_z_m);

@@ -28,7 +28,7 @@ class ConnectMatches : public ::testing::Test {
   }
 
   test::OwnedPair pair_;
-  std::vector<LineMatch> matches_;
+  std::vector<Correspondence> matches_;
 };
 
 TEST_F(ConnectMatches, JoinsLinesThatMeetInSpace) {
@@ -49,7 +49,7 @@ TEST_F(ConnectMatches, RefusesLinesThatOnlyCrossInOneView) {
 TEST_F(ConnectMatches, DoesNotConnectFragmentsThatShareAMate) {
   add({{0, 0, 10}, {3, 3, 10}});
   add({{3, 3, 10}, {6, 0, 10}});
-  matches_[1].right = 0;
+  matches_[1].other = 0;
   EXPECT_TRUE(connect().empty());
   matches_[1] = {0, 1};
   EXPECT_TRUE(connect().empty());
@@ -75,7 +75,7 @@ TEST_F(ConnectMatches, OfNoMatchesAreNone) { EXPECT_TRUE(connect().empty()); }
 
 TEST_F(ConnectMatches, RejectsIndicesOutOfRange) {
   add({{0, 0, 10}, {3, 3, 10}});
-  matches_[0].right = 1;
+  matches_[0].other = 1;
   EXPECT_THROW(connect(), std::invalid_argument);
   matches_[0] = {-1, 0};
   EXPECT_THROW(connect(), std::invalid_argument);

@@ -35,7 +35,7 @@ TEST(MatchPairwise, FindsTheOutlinesOfFlatRoofs) {
   const MatchResult result = match(pair);
   ASSERT_EQ(result.outcomes.size(), 8U);
   ASSERT_EQ(result.matches.size(), 8U);
-  for (const ScoredMatch& m : result.matches) EXPECT_EQ(m.match.left, m.match.right);
+  for (const Correspondence& m : result.matches) EXPECT_EQ(m.base, m.other);
 }
 
 TEST(MatchPairwise, FindsAnIsolatedLineByItsLook) {
@@ -77,8 +77,8 @@ TEST(MatchPairwise, GivesFragmentsOfOneEdgeTheirCommonMate) {
   pair.add_segment(1, {south, north});
   const MatchResult result = match(pair);
   ASSERT_EQ(result.matches.size(), 2U);
-  EXPECT_EQ(result.matches[0].match.right, 0);
-  EXPECT_EQ(result.matches[1].match.right, 0);
+  EXPECT_EQ(result.matches[0].other, 0);
+  EXPECT_EQ(result.matches[1].other, 0);
 }
 
 constexpr int kEast = 1;  // east side in the outline of the high roof
@@ -94,8 +94,8 @@ std::vector<int> mates_of_the_east_edge(double share) {
   right.pop_back();
   pair.add_segment(1, {edge.start, point_at(edge, share)});
   std::vector<int> mates;
-  for (const ScoredMatch& m : match(pair).matches) {
-    if (m.match.left == kEast) mates.push_back(m.match.right);
+  for (const Correspondence& m : match(pair).matches) {
+    if (m.base == kEast) mates.push_back(m.other);
   }
   return mates;
 }
@@ -115,8 +115,8 @@ TEST(MatchPairwise, NeverGivesOneMateToTwoEdges) {
   const MatchResult result = match(pair);
   ASSERT_EQ(result.matches.size(), 8U);
   std::set<int> rights;
-  for (const ScoredMatch& m : result.matches) {
-    EXPECT_TRUE(rights.insert(m.match.right).second) << m.match.right;
+  for (const Correspondence& m : result.matches) {
+    EXPECT_TRUE(rights.insert(m.other).second) << m.other;
   }
 }
 
@@ -128,7 +128,7 @@ TEST(MatchPairwise, LetsPairsVoteThatAWideBaseTurns) {
   pair.add_outline(roof);
   const MatchResult result = match(pair);
   ASSERT_EQ(result.matches.size(), 4U);
-  for (const ScoredMatch& m : result.matches) EXPECT_GT(m.votes, 0.0) << m.match.left;
+  for (const Correspondence& m : result.matches) EXPECT_GT(m.votes, 0.0) << m.base;
 }
 
 TEST(MatchPairwise, IsTheSameForAnyNumberOfThreads) {
@@ -138,7 +138,7 @@ TEST(MatchPairwise, IsTheSameForAnyNumberOfThreads) {
   const MatchResult single = match(pair);
   ASSERT_EQ(all.matches.size(), single.matches.size());
   for (std::size_t i = 0; i < all.matches.size(); ++i) {
-    EXPECT_EQ(all.matches[i].match.right, single.matches[i].match.right);
+    EXPECT_EQ(all.matches[i].other, single.matches[i].other);
     EXPECT_EQ(all.matches[i].score, single.matches[i].score);
     EXPECT_EQ(all.matches[i].votes, single.matches[i].votes);
   }

@@ -165,7 +165,7 @@ TEST_F(SimilarityVotes, FinalChoiceGivesAMateToTheMoreProbableEdgeAndSaysWhyToTh
   for (std::vector<Support>& of_line : supports) of_line[0].votes = 1.0;
   const MatchResult result = final_choice({left_, right_, candidates_}, supports, {}, {});
   ASSERT_EQ(result.matches.size(), 1U);
-  EXPECT_EQ(result.matches[0].match.left, 1);
+  EXPECT_EQ(result.matches[0].base, 1);
   EXPECT_EQ(result.outcomes[0], MatchOutcome::kLostVote);
   EXPECT_EQ(result.outcomes[1], MatchOutcome::kMatched);
 }
@@ -244,7 +244,7 @@ TEST_F(SimilarityVotes, FinalChoiceTakesTheLongerFragmentWhereTheShortestIsTheMo
   supports[0][1].probability = 0.75;
   const MatchResult result = final_choice({left_, right_, candidates_}, supports, {}, {});
   ASSERT_EQ(result.matches.size(), 1U);
-  EXPECT_EQ(result.matches[0].match.right, 1);
+  EXPECT_EQ(result.matches[0].other, 1);
 }
 
 TEST_F(SimilarityVotes, FinalChoiceTakesALineAsIsolatedWhosePartnersAreTooShortToBeMatched) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/report/line_sightings.h"
+#include "apps/report/line_observations.h"
 
 #include "reconstruct/geometry/transformed.h"
 
@@ -26,21 +26,21 @@ const Track* track_of(const ReportPatch& patch, const io::Line& line) {
   const std::vector<Track>& tracks = patch.images->tracks;
   if (static_cast<std::size_t>(*number) >= tracks.size()) return nullptr;
   const Track& track = tracks[static_cast<std::size_t>(*number)];
-  const bool is_same = std::ranges::equal(track.seen, line.sightings,
-                                          [&](const Sighting& a, const io::LineSighting& b) {
+  const bool is_same = std::ranges::equal(track.observations, line.observations,
+                                          [&](const Observation& a, const io::LineObservation& b) {
                                             return patch.patch->images[a.view].id == b.image;
                                           });
   return is_same ? &track : nullptr;
 }
 
-std::vector<LineInImage> sightings_of_pair(const io::Line& line) {
+std::vector<LineInImage> observations_of_pair(const io::Line& line) {
   std::vector<LineInImage> found;
   const auto add = [&](std::size_t view, const std::string& id, const auto& px) {
     const std::optional<int> segment = index_of(id);
     if (segment || px) found.push_back({view, segment, px});
   };
-  add(0, line.left_id, line.left_px);
-  add(1, line.right_id, line.right_px);
+  add(0, line.base_id, line.base_px);
+  add(1, line.other_id, line.other_px);
   return found;
 }
 
@@ -50,17 +50,17 @@ const EdgeSegment* segment_of(const ReportImages& images, const LineInImage& see
   return is_known ? &segments[static_cast<std::size_t>(*seen.segment)] : nullptr;
 }
 
-/// A sighting whose offset is not known, or the offset of one and its verdict.
-LineInView sighted(const ReportImages& images,
-                   const ProjectionMatrix& camera,
-                   const io::Line& line,
-                   const std::optional<Segment3>& segment,
-                   const LineInImage& seen) {
-  if (!segment || !line.covariance_m2 || !seen.px) return {ViewOfLine::kSighted, {}};
+/// An observation whose offset is not known, or the offset of one and its verdict.
+LineInView observed(const ReportImages& images,
+                    const ProjectionMatrix& camera,
+                    const io::Line& line,
+                    const std::optional<Segment3>& segment,
+                    const LineInImage& seen) {
+  if (!segment || !line.covariance_m2 || !seen.px) return {ViewOfLine::kObserved, {}};
   const EdgeSegment* own = segment_of(images, seen);
   const auto offset = offset_of(camera, *segment, *line.covariance_m2, *seen.px,
                                 own == nullptr ? nullptr : &own->line);
-  if (!offset) return {ViewOfLine::kSighted, {}};
+  if (!offset) return {ViewOfLine::kObserved, {}};
   const bool differs = offset->offset_px > kMaxSigmas * offset->sigma_px;
   return {differs ? ViewOfLine::kDiffers : ViewOfLine::kAgrees, offset};
 }
@@ -73,9 +73,9 @@ bool is_worse(const LineInView& a, const LineInView& b) {
 }
 
 /// The images that any line of the method has a segment of.
-std::set<std::size_t> used_views(const std::vector<std::vector<LineInImage>>& sightings) {
+std::set<std::size_t> used_views(const std::vector<std::vector<LineInImage>>& observations) {
   std::set<std::size_t> used;
-  for (const auto& of_line : sightings) {
+  for (const auto& of_line : observations) {
     for (const LineInImage& seen : of_line) used.insert(seen.view);
   }
   return used;
@@ -83,18 +83,19 @@ std::set<std::size_t> used_views(const std::vector<std::vector<LineInImage>>& si
 
 }  // namespace
 
-std::vector<LineInImage> sightings_of(const ReportPatch& patch, const io::Line& line) {
-  if (!patch.patch || line.sightings.empty()) return sightings_of_pair(line);
+std::vector<LineInImage> observations_of(const ReportPatch& patch, const io::Line& line) {
+  if (!patch.patch || line.observations.empty()) return observations_of_pair(line);
   const std::vector<io::PatchImage>& images = patch.patch->images;
   const Track* track = track_of(patch, line);
   std::vector<LineInImage> found;
-  for (std::size_t i = 0; i < line.sightings.size(); ++i) {
-    const auto image = std::ranges::find(images, line.sightings[i].image, &io::PatchImage::id);
+  for (std::size_t i = 0; i < line.observations.size(); ++i) {
+    const auto image = std::ranges::find(images, line.observations[i].image, &io::PatchImage::id);
     if (image == images.end()) continue;
     LineInImage& seen = found.emplace_back();
     seen.view = static_cast<std::size_t>(image - images.begin());
-    seen.px = line.sightings[i].px;
-    if (track != nullptr && track->seen[i].segment >= 0) seen.segment = track->seen[i].segment;
+    seen.px = line.observations[i].px;
+    if (track != nullptr && track->observations[i].segment >= 0)
+      seen.segment = track->observations[i].segment;
   }
   return found;
 }
@@ -103,11 +104,11 @@ std::vector<std::vector<LineInView>> lines_in_views(const ReportPatch& patch,
                                                     const ReportMethod& method) {
   if (!patch.images || patch.images->pictures.size() <= 2) return {};
   const std::size_t n_views = patch.images->pictures.size();
-  const std::vector<std::vector<LineInImage>> sightings =
+  const std::vector<std::vector<LineInImage>> observations =
       transformed(method.lines, [&](const std::optional<io::Line>& line) {
-        return line ? sightings_of(patch, *line) : std::vector<LineInImage>();
+        return line ? observations_of(patch, *line) : std::vector<LineInImage>();
       });
-  const std::set<std::size_t> used = used_views(sightings);
+  const std::set<std::size_t> used = used_views(observations);
   std::vector<std::vector<LineInView>> shown(method.lines.size());
   for (std::size_t view = 0; view < n_views; ++view) {
     const ProjectionMatrix camera =
@@ -116,15 +117,15 @@ std::vector<std::vector<LineInView>> lines_in_views(const ReportPatch& patch,
     for (std::size_t i = 0; i < method.lines.size(); ++i) {
       if (!method.lines[i]) continue;
       std::optional<LineInView> worst;
-      for (const LineInImage& seen : sightings[i]) {
+      for (const LineInImage& seen : observations[i]) {
         if (seen.view != view) continue;
         const LineInView one =
-            sighted(*patch.images, camera, *method.lines[i], method.segments[i], seen);
+            observed(*patch.images, camera, *method.lines[i], method.segments[i], seen);
         if (!worst || is_worse(one, *worst)) worst = one;
       }
       if (!worst) {
         worst = LineInView{
-            method.segments[i] ? field.unsighted(*method.segments[i]) : ViewOfLine::kOutside, {}};
+            method.segments[i] ? field.unobserved(*method.segments[i]) : ViewOfLine::kOutside, {}};
         if (worst->state != ViewOfLine::kOutside && !used.contains(view)) {
           worst->state = ViewOfLine::kNotUsed;
         }

@@ -19,7 +19,7 @@ struct LineInImage {
 
 /// What a line states of its image segments, in its order. Images that the patch does not have are
 /// passed over.
-std::vector<LineInImage> sightings_of(const ReportPatch& patch, const io::Line& line);
+std::vector<LineInImage> observations_of(const ReportPatch& patch, const io::Line& line);
 
 /// What one image shows of a line.
 struct LineInView {
