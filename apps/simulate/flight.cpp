@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 namespace ridgeline::simulate {
 namespace {
@@ -221,7 +220,7 @@ std::array<ProjectionMatrix, 2> nominal_pair(const Scene& scene) {
 
 void set_class(std::span<const ProjectionMatrix> image_from_world, io::Line& line) {
   line.epipolar_angle_deg =
-      epipolar_angle_rad(image_from_world, line.segment_in_world) * 180.0 / std::numbers::pi;
+      epipolar_angle_rad(image_from_world, line.segment_in_world) / kRadPerDeg;
   line.line_class = *line.epipolar_angle_deg <= kMaxAlignedAngle_deg ? "aligned" : "not_aligned";
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/simulate/surface_oracle.h"
 
+#include "reconstruct/geometry/median.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,9 +16,7 @@ namespace {
 
 double median(std::vector<double> values) {
   if (values.empty()) return std::numeric_limits<double>::infinity();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return upper_median(std::move(values));
 }
 
 }  // namespace

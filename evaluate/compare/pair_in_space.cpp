@@ -164,7 +164,7 @@ Eigen::AlignedBox2d plan_box(const Segment3& s) { return plan_box_of(std::array{
 
 std::vector<std::pair<std::size_t, std::size_t>> pair_in_space(std::span<const Segment3> a,
                                                                std::span<const Segment3> b) {
-  const BoxIndex index(transformed(b, plan_box));
+  const BoxIndex2 index(transformed(b, plan_box));
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (const std::size_t k : index.near(plan_box(a[i]), kMaxPairDistance_m)) {

@@ -71,7 +71,7 @@ class Partners {
 
  private:
   const std::vector<LevelEdge>& edges_;
-  BoxIndex index_;
+  BoxIndex2 index_;
 };
 
 /// How high the edge lies above the line in which two planes meet; nothing for planes that are

@@ -220,7 +220,7 @@ std::vector<PointDistances> point_distances(const PointSearch& search,
                                             std::span<const std::uint8_t> classes) {
   std::vector<BuildingSurfaces> surfaces;
   for (const RoofBuilding& building : buildings) surfaces.emplace_back(building);
-  const BoxIndex index(transformed(surfaces, [](const auto& building) { return building.box(); }));
+  const BoxIndex2 index(transformed(surfaces, [](const auto& building) { return building.box(); }));
   std::vector<PointDistances> distances(buildings.size());
   tbb::parallel_for(std::size_t{0}, buildings.size(), [&](std::size_t i) {
     Interruption::check();

@@ -9,13 +9,13 @@
 #include "evaluate/judge/plane_sigma.h"
 #include "evaluate/judge/ridge_displacement.h"
 #include "evaluate/judge/surface_decision.h"
+#include "reconstruct/geometry/degrees.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <sstream>
 
@@ -107,8 +107,7 @@ void compare_with_intersection(LineEvaluation& e, const Segment3& segment) {
                                     -e.planes[1].plane.signedDistance(x), 0.0);
   e.intersection_distance_m = to_line.norm();
   e.intersection_angle_deg =
-      acute_angle_rad(direction, Eigen::Vector3d(segment.end - segment.start)) * 180.0 /
-      std::numbers::pi;
+      acute_angle_rad(direction, Eigen::Vector3d(segment.end - segment.start)) / kRadPerDeg;
 }
 
 std::vector<std::uint32_t> sorted_indices(std::span<const ZonePoint> points) {

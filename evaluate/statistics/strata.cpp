@@ -3,6 +3,7 @@
 
 #include "evaluate/statistics/distribution.h"
 #include "evaluate/statistics/image_count.h"
+#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <optional>
 
@@ -64,7 +64,7 @@ Property by_kind() {
 std::optional<double> steepest_slope_deg(const LineEvaluation& line) {
   std::optional<double> steepest;
   for (const JudgingPlane& p : line.planes) {
-    const double slope_deg = slope_rad(p.plane) * 180.0 / std::numbers::pi;
+    const double slope_deg = slope_rad(p.plane) / kRadPerDeg;
     steepest = std::max(steepest.value_or(0.0), slope_deg);
   }
   return steepest;

@@ -3,6 +3,7 @@
 #include "io/lines/mesh_edges.h"
 #include "io/lines/readers.h"
 #include "io/text/text.h"
+#include "reconstruct/geometry/median.h"
 
 #include <fmt/format.h>
 
@@ -151,10 +152,7 @@ double median_length(const std::vector<Line>& lines) {
   for (const Line& line : lines) {
     if (all_finite(line.segment_in_world)) lengths.push_back(length(line.segment_in_world));
   }
-  if (lengths.empty()) return 0.0;
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
+  return lengths.empty() ? 0.0 : upper_median(std::move(lengths));
 }
 
 /// Drops segments that are not finite or far too long: ELSR leaves the failures of its

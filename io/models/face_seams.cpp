@@ -110,7 +110,7 @@ class Seams {
     std::vector<Eigen::AlignedBox2d> places;
     for (std::size_t node = 0; node < nodes_.size(); ++node)
       places.emplace_back(nodes_[node].head<2>());
-    const BoxIndex index(std::move(places));
+    const BoxIndex2 index(std::move(places));
     for (const Piece& edge : edges_) {
       const std::array ends{nodes_[edge.from], nodes_[edge.to]};
       std::vector<std::pair<double, std::size_t>> on_edge;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/block/merge_lines.h"
 
+#include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/plan_box.h"
-#include "reconstruct/geometry/segment_index.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/Dense>
@@ -150,10 +150,10 @@ class Merger {
       const Segment2 seen = plan(found.line.segment_in_world);
       return Segment2{seen.start - origin, seen.end - origin};
     });
-    const SegmentIndex index(plans);
+    const BoxIndex2 index(plans);
     tbb::parallel_for(std::size_t{0}, lines_.size(), [&](std::size_t i) {
-      for (const int j : index.near(plans[i], kReach_m)) {
-        if (const auto twin = twin_of(i, static_cast<std::size_t>(j))) twins_[i].push_back(*twin);
+      for (const std::size_t j : index.near(plans[i], kReach_m)) {
+        if (const auto twin = twin_of(i, j)) twins_[i].push_back(*twin);
       }
     });
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/views/candidates.h"
 
+#include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/interruption.h"
-#include "reconstruct/geometry/segment_index.h"
 
 #include <tbb/parallel_for.h>
 
@@ -24,7 +24,7 @@ struct Search {
   ImagePair images;
   const CandidateOptions& options;
   const CandidateLook& change_look;
-  SegmentIndex right_index;
+  BoxIndex2 right_index;
 };
 
 /// The box around the places in the right image where both ends of a left segment may lie.
@@ -127,8 +127,8 @@ std::vector<Candidate> candidates_of(const Search& search, const EdgeSegment& le
   const LocalTransfer transfer = local_transfer(search.pair.search, midpoint(left.line.segment));
   const Eigen::AlignedBox2d box =
       band_box(*searched, heights_m, search.options.epipolar_tolerance_px);
-  for (const int id : search.right_index.in_box(box)) {
-    if (auto found = candidate(search, *searched, transfer, left, id)) {
+  for (const std::size_t id : search.right_index.near(box, 0.0)) {
+    if (auto found = candidate(search, *searched, transfer, left, static_cast<int>(id))) {
       candidates.push_back(*found);
     }
   }
@@ -150,7 +150,7 @@ Candidates match_candidates(const SearchedPair& pair,
                    {ImageSampler(pair.left.image), ImageSampler(pair.right.image), radiometry},
                    options,
                    change_look,
-                   SegmentIndex(ideal_segments(pair.right))};
+                   BoxIndex2(ideal_segments(pair.right))};
   const std::vector<EdgeSegment>& left = pair.left.segments;
   Candidates candidates(left.size());
   tbb::parallel_for(std::size_t{0}, left.size(), [&](std::size_t i) {

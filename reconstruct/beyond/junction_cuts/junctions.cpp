@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/junction_cuts/junctions.h"
 
+#include "reconstruct/geometry/box_index.h"
+#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/interruption.h"
-#include "reconstruct/geometry/segment_index.h"
 #include "reconstruct/ok2011/extract/line_sums.h"
 #include "reconstruct/ok2011/extract/straight_pieces.h"
 
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ridgeline::reconstruct {
 namespace {
@@ -21,12 +21,12 @@ constexpr double kMeetingReach_px = 6.0;  ///< an edge ends a little before the 
 constexpr double kGap_px = 3.0;           ///< a strip that crosses an edge interrupts it
 /// In multiples of min_length_px: short parts are matched badly.
 constexpr double kMinPartLength = 2.5;
-constexpr double kMinAngle_rad = 20.0 * std::numbers::pi / 180.0;
+constexpr double kMinAngle_rad = 20.0 * kRadPerDeg;
 
 /// The ends of all edges; end k is of edge k / 2.
 struct Ends {
   std::vector<Segment2> places;  ///< segments of no length
-  SegmentIndex index;
+  BoxIndex2 index;
 };
 
 Ends ends_of(const std::vector<EdgeTrace>& edges) {
@@ -35,7 +35,7 @@ Ends ends_of(const std::vector<EdgeTrace>& edges) {
     for (const EdgeSample& end : {edge.front(), edge.back()})
       places.push_back({end.position_px, end.position_px});
   }
-  return {places, SegmentIndex(places)};
+  return {places, BoxIndex2(places)};
 }
 
 /// The samples of a trace at which other edges end or before which it is interrupted, in order. A
@@ -47,9 +47,10 @@ std::vector<std::size_t> junctions_of(std::size_t edge,
   const EdgeTrace& trace = edges[edge];
   const Eigen::Vector2d& along = axes[edge].along;
   std::vector<bool> touched(trace.size(), false);
-  for (const int k : ends.index.near({trace.front().position_px, trace.back().position_px},
-                                     kMeetingReach_px + 2.0 * axes[edge].max_distance)) {
-    const std::size_t other = static_cast<std::size_t>(k) / 2;
+  for (const std::size_t k :
+       ends.index.near(Segment2{trace.front().position_px, trace.back().position_px},
+                       kMeetingReach_px + 2.0 * axes[edge].max_distance)) {
+    const std::size_t other = k / 2;
     if (other == edge || acute_angle_rad(along, axes[other].along) < kMinAngle_rad) continue;
     for (std::size_t i = 0; i < trace.size(); ++i) {
       const Eigen::Vector2d offset = ends.places[k].start - trace[i].position_px;

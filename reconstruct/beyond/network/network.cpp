@@ -2,10 +2,10 @@
 #include "reconstruct/beyond/network/network.h"
 
 #include "reconstruct/beyond/network/adjustment.h"
+#include "reconstruct/geometry/disjoint_sets.h"
 #include "reconstruct/geometry/interruption.h"
 #include "reconstruct/geometry/transformed.h"
 
-#include <boost/pending/disjoint_sets.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -26,23 +26,23 @@ struct Group {
 };
 
 std::vector<Group> connected_groups(std::size_t n_lines, std::span<const Meeting> meetings) {
-  boost::disjoint_sets_with_storage<> sets(n_lines);
+  DisjointSets sets(n_lines);
   for (const Meeting& m : meetings) {
-    sets.union_set(static_cast<std::size_t>(m.first), static_cast<std::size_t>(m.second));
+    sets.join(static_cast<std::size_t>(m.first), static_cast<std::size_t>(m.second));
   }
   std::map<std::size_t, Group> groups;
   std::vector<int> place(n_lines);
   for (std::size_t i = 0; i < n_lines; ++i) {
-    std::vector<int>& lines = groups[sets.find_set(i)].lines;
+    std::vector<int>& lines = groups[sets.name_of(i)].lines;
     place[i] = static_cast<int>(lines.size());
     lines.push_back(static_cast<int>(i));
   }
   for (const Meeting& m : meetings) {
-    groups[sets.find_set(static_cast<std::size_t>(m.first))].meetings.push_back(
+    groups[sets.name_of(static_cast<std::size_t>(m.first))].meetings.push_back(
         {place[m.first], place[m.second], m.junction});
   }
   std::vector<Group> result;
-  for (auto& [root, group] : groups) {
+  for (auto& [name, group] : groups) {
     if (!group.meetings.empty()) result.push_back(std::move(group));
   }
   return result;

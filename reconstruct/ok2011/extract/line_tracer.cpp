@@ -19,7 +19,7 @@ constexpr double kRefitGrowth = 1.2;
 constexpr double kMinRelativeStrength = 0.3;  ///< share of the trace's median strength
 
 double median_strength(const EdgeTrace& trace) {
-  return median(transformed(trace, &EdgeSample::strength));
+  return upper_median(transformed(trace, &EdgeSample::strength));
 }
 
 }  // namespace

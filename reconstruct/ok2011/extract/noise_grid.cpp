@@ -20,7 +20,7 @@ float median_strength(const cv::Mat& gradient) {
     const auto* row = gradient.ptr<cv::Vec2f>(y);
     for (int x = 0; x < gradient.cols; ++x) squares.push_back(row[x].dot(row[x]));
   }
-  return std::sqrt(median(std::move(squares)));
+  return std::sqrt(upper_median(std::move(squares)));
 }
 
 /// The block whose middle is before a pixel, the next block, and the share of the next one.
