@@ -75,7 +75,9 @@ bool SurfaceOracle::same_surface(const Sight& a, const Sight& b) const {
          std::abs(a.normal.dot(b.x - a.x)) < kSamePlaneM;
 }
 
-MatchVerdict judge_match(const SurfaceOracle& oracle, const Segment2& left, const Segment2& right) {
+VisibleVerdict judge_match(const SurfaceOracle& oracle,
+                           const Segment2& left,
+                           const Segment2& right) {
   constexpr double kStepPx = 2.0;
   constexpr double kNearPx = 0.4;  // two distances from the edge, both within a fence of 0.1 m
   constexpr double kFarPx = 0.8;

@@ -134,11 +134,11 @@ std::optional<Interval> bootstrap_rms(std::span<const double> errors,
         clusters.size(), " cluster labels");
   const std::vector<std::size_t> dense = dense_labels(clusters);
   const std::size_t n_clusters = count_clusters(dense);
-  struct Cluster {
+  struct ErrorCluster {
     double n = 0.0, squares = 0.0;
-    auto operator<=>(const Cluster&) const = default;
+    auto operator<=>(const ErrorCluster&) const = default;
   };
-  std::vector<Cluster> sums(n_clusters);
+  std::vector<ErrorCluster> sums(n_clusters);
   for (std::size_t i = 0; i < errors.size(); ++i) {
     sums[dense[i]].n += 1.0;
     sums[dense[i]].squares += errors[i] * errors[i];

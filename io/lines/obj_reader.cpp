@@ -197,7 +197,7 @@ LineSet read_obj(const std::string& path, std::string_view content, bool vertex_
     append_polylines(obj.vertices, resolved(obj.lines, obj.vertices.size(), path), set);
     set.left_out.add(kinds::kFace, obj.faces.size());
   } else if (!obj.faces.empty()) {
-    Mesh mesh{obj.vertices, resolved(obj.faces, obj.vertices.size(), path), {}};
+    PolygonMesh mesh{obj.vertices, resolved(obj.faces, obj.vertices.size(), path), {}};
     const bool has_objects =
         std::ranges::any_of(obj.objects, [](const auto& o) { return !o.empty(); });
     if (has_objects) mesh.objects = obj.objects;

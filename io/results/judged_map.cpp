@@ -45,14 +45,14 @@ Value sigma_of(const LineEvaluation& e) {
 }
 
 /// A judged line with what is known of it.
-struct MapLine {
+struct JudgedMapLine {
   const LineEvaluation& e;
   const io::Line& line;
   std::string kind;                                  ///< roof_kind()
   Eigen::Vector3d moved_m{Eigen::Vector3d::Zero()};  ///< by which the line was moved before
 };
 
-using LineField = Field<MapLine>;
+using LineField = MapField<JudgedMapLine>;
 
 const std::vector<LineField>& line_fields() {
   static const std::vector<LineField> fields{
@@ -104,7 +104,7 @@ Value centimetres(std::optional<double> x_m) {
   return integer(static_cast<std::int64_t>(std::ceil(std::abs(*x_m) * 100.0)));
 }
 
-std::string fkb_type(const MapLine& m) {
+std::string fkb_type(const JudgedMapLine& m) {
   if (m.kind.empty()) return "";
   if (m.kind == "step") return "Taksprang";
   return m.kind == "eave" || m.kind == "verge" ? "Takkant" : "M\xC3\xB8nelinje";
@@ -171,7 +171,7 @@ std::optional<double> aspect_deg(const Plane3& plane) {
   return azimuth_deg < 0.0 ? azimuth_deg + 360.0 : azimuth_deg;
 }
 
-using PlaneField = Field<JudgedPlane>;
+using PlaneField = MapField<JudgedPlane>;
 
 const std::vector<PlaneField>& plane_fields() {
   static const std::vector<PlaneField> fields{
@@ -189,7 +189,7 @@ const std::vector<PlaneField>& plane_fields() {
   return fields;
 }
 
-using VectorField = Field<LineEvaluation, JudgingPlane>;
+using VectorField = MapField<LineEvaluation, JudgingPlane>;
 
 const std::vector<VectorField>& vector_fields() {
   static const std::vector<VectorField> fields{
@@ -247,7 +247,7 @@ io::MapLayer lines_layer(const io::LineSet& set,
       feature.vertices = {line.segment_in_world.start, line.segment_in_world.end};
     }
     feature.values = input_values(set, line, first);
-    MapLine judged{
+    JudgedMapLine judged{
         e, line,
         evaluate::roof_kind(e, segment_in_local(line, unit_m, {evaluation.origin_m}), by_id)};
     if (is_moved(evaluation)) judged.moved_m = -evaluation.shift->shift_m;

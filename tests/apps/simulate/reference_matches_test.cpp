@@ -131,7 +131,7 @@ TEST(ReferenceMatches, ShowOneSurfaceInBothImages) {
   std::size_t good = 0;
   for (const io::ReferenceEdge& match : matches) {
     EXPECT_GE(std::min(length(match.left), length(match.right)), 10.0) << match.kind;
-    const MatchVerdict verdict = judge_match(oracle, match.left, match.right);
+    const VisibleVerdict verdict = judge_match(oracle, match.left, match.right);
     good += verdict.right_distance_px < kTolPx ? 1 : 0;
   }
   // in the rest another body hides both flanks in one view
@@ -146,7 +146,7 @@ TEST(JudgeMatch, TellsAFalsePairAndAShadowEdge) {
     return project(views[view].image_from_local, s);
   };
   const Segment3 edge{{8, 12, 4}, {12, 12, 4}};
-  const MatchVerdict good = judge_match(oracle, in(kLeft, edge), in(kRight, edge));
+  const VisibleVerdict good = judge_match(oracle, in(kLeft, edge), in(kRight, edge));
   EXPECT_LT(good.right_distance_px, 0.05);
   EXPECT_GT(good.overlap_share, 0.95);
 
