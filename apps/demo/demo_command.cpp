@@ -21,11 +21,11 @@ int run_demo(const std::string& folder, const RunOptions& options) {
 }  // namespace
 
 Run add_demo(CLI::App& subcommand) {
-  struct Arguments {
+  struct DemoArguments {
     std::string out = "ridgeline_demo";
     RunOptions options;
   };
-  auto a = std::make_shared<Arguments>();
+  auto a = std::make_shared<DemoArguments>();
   // the papers' Table 2, beside what a run gives
   a->options.methods = {reconstruct::Method::kDirect, reconstruct::Method::kJoint,
                         reconstruct::Method::kLines};

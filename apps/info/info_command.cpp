@@ -348,13 +348,13 @@ void print_by_name(const std::string& path, const io::FileKind& kind, double max
 }
 
 /// What the options of the command say.
-struct Arguments {
+struct InfoArguments {
   std::vector<std::string> files;
   double max_resolution_m = 0.0;
   OrientationArguments orientation;
 };
 
-void print_facts(const std::string& path, const Arguments& arguments) {
+void print_facts(const std::string& path, const InfoArguments& arguments) {
   const double max_resolution_m = arguments.max_resolution_m;
   const io::FileKind kind = io::kind_of_path(path);
   if (is_own_file(kind.group)) return print_own_file(path, kind);
@@ -414,7 +414,7 @@ void add_orientation_options(CLI::App& subcommand, OrientationArguments& a) {
 }  // namespace
 
 Run add_info(CLI::App& subcommand) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<InfoArguments>();
   subcommand
       .add_option("files", arguments->files,
                   "clouds, images, orientations, line files, patch files, gates, results, folders")

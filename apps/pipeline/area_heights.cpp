@@ -42,13 +42,13 @@ Lidar lidar_of(const io::PatchFile& patch) {
 }
 
 /// An image of the patch as far as it matters what it shows.
-struct Frame {
+struct PlacedFrame {
   ProjectionMatrix image_from_world;
   Eigen::Vector2d size_px;
 };
 
-std::vector<Frame> frames_of(const io::PatchFile& patch) {
-  std::vector<Frame> frames;
+std::vector<PlacedFrame> frames_of(const io::PatchFile& patch) {
+  std::vector<PlacedFrame> frames;
   for (const io::PatchImage& image : patch.images) {
     const io::ImageFacts facts = io::image_facts(image.path);
     frames.push_back({image.image_from_world,
@@ -58,8 +58,8 @@ std::vector<Frame> frames_of(const io::PatchFile& patch) {
   return frames;
 }
 
-bool two_show(const std::vector<Frame>& frames, const Eigen::Vector3d& x) {
-  return 1 < std::ranges::count_if(frames, [&](const Frame& frame) {
+bool two_show(const std::vector<PlacedFrame>& frames, const Eigen::Vector3d& x) {
+  return 1 < std::ranges::count_if(frames, [&](const PlacedFrame& frame) {
            const Eigen::Vector2d px = (frame.image_from_world * x.homogeneous()).hnormalized();
            return px.x() >= 0.0 && px.y() >= 0.0 && px.x() < frame.size_px.x() &&
                   px.y() < frame.size_px.y();
@@ -67,7 +67,8 @@ bool two_show(const std::vector<Frame>& frames, const Eigen::Vector3d& x) {
 }
 
 std::vector<double> heights_of(const io::PatchFile& patch, const Points& points) {
-  const std::vector<Frame> frames = patch.area_m.empty() ? frames_of(patch) : std::vector<Frame>();
+  const std::vector<PlacedFrame> frames =
+      patch.area_m.empty() ? frames_of(patch) : std::vector<PlacedFrame>();
   std::vector<double> heights;
   for (const Eigen::Vector3d& x : points) {
     const bool counts =

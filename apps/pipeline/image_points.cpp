@@ -20,16 +20,16 @@ namespace {
 using ImagePair = std::array<std::size_t, 2>;
 
 /// An image that has a file and a camera of the same shape.
-struct Candidate {
+struct CandidateImage {
   std::size_t image = 0;
   std::string file;
   int reduction = 1;              ///< by which the file is read, as points need no larger image
   double camera_per_pixel = 1.0;  ///< pixels of the camera a pixel that is read
 };
 
-std::optional<Candidate> candidate_of(const io::Orientation& orientation,
-                                      std::size_t number,
-                                      const std::optional<std::string>& file) {
+std::optional<CandidateImage> candidate_of(const io::Orientation& orientation,
+                                           std::size_t number,
+                                           const std::optional<std::string>& file) {
   constexpr double kMaxSize_mpx = 16.0;
   constexpr double kSameShape = 0.01;
   const io::OrientedImage& image = orientation.images[number];
@@ -43,17 +43,17 @@ std::optional<Candidate> candidate_of(const io::Orientation& orientation,
     if (std::abs(scale.x() / scale.y() - 1.0) > kSameShape) return std::nullopt;
     const int reduction =
         std::max(1, static_cast<int>(std::ceil(std::sqrt(file_px.prod() / (1e6 * kMaxSize_mpx)))));
-    return Candidate{number, *file, reduction, reduction * scale.x()};
+    return CandidateImage{number, *file, reduction, reduction * scale.x()};
   } catch (const io::IoError&) {
     return std::nullopt;
   }
 }
 
 /// The candidates that have files, at most `most`.
-std::vector<Candidate> candidates_of(const io::Orientation& orientation,
-                                     const io::ImageFiles& files) {
+std::vector<CandidateImage> candidates_of(const io::Orientation& orientation,
+                                          const io::ImageFiles& files) {
   constexpr std::size_t kMaxCandidates = 200;
-  std::vector<Candidate> found;
+  std::vector<CandidateImage> found;
   for (std::size_t i = 0; i < orientation.images.size() && found.size() < kMaxCandidates; ++i) {
     if (auto candidate = candidate_of(orientation, i, files[i])) found.push_back(*candidate);
   }
@@ -62,7 +62,7 @@ std::vector<Candidate> candidates_of(const io::Orientation& orientation,
 
 /// Pairs of candidates, the nearest first.
 std::vector<ImagePair> nearest_pairs(const io::Orientation& orientation,
-                                     const std::vector<Candidate>& candidates) {
+                                     const std::vector<CandidateImage>& candidates) {
   std::vector<std::pair<double, ImagePair>> pairs;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     for (std::size_t j = i + 1; j < candidates.size(); ++j) {
@@ -79,12 +79,12 @@ std::vector<ImagePair> nearest_pairs(const io::Orientation& orientation,
   return sorted;
 }
 
-Eigen::Vector2d in_camera_px(const Candidate& candidate, const Eigen::Vector2d& x_px) {
+Eigen::Vector2d in_camera_px(const CandidateImage& candidate, const Eigen::Vector2d& x_px) {
   const Eigen::Vector2d half(0.5, 0.5);
   return candidate.camera_per_pixel * (x_px + half) - half;
 }
 
-std::vector<reconstruct::PointMatch> matches_of(const Candidate& a, const Candidate& b) {
+std::vector<reconstruct::PointMatch> matches_of(const CandidateImage& a, const CandidateImage& b) {
   try {
     return reconstruct::match_points(
         {reconstruct::normalised_image(io::read_reduced_image(a.file, a.reduction)),
@@ -111,14 +111,14 @@ std::optional<std::string> image_file_in(const std::string& folder,
 std::vector<io::PointObservation> find_image_points(const io::Orientation& orientation,
                                                     const io::ImageFiles& files) {
   constexpr std::size_t kMaxPairs = 4;
-  const std::vector<Candidate> candidates = candidates_of(orientation, files);
+  const std::vector<CandidateImage> candidates = candidates_of(orientation, files);
   std::vector<io::PointObservation> points;
   std::size_t n_points = 0;
   std::size_t n_pairs = 0;
   for (const auto& [i, j] : nearest_pairs(orientation, candidates)) {
     if (n_pairs++ == kMaxPairs) break;
-    const Candidate& a = candidates[i];
-    const Candidate& b = candidates[j];
+    const CandidateImage& a = candidates[i];
+    const CandidateImage& b = candidates[j];
     for (const reconstruct::PointMatch& match : matches_of(a, b)) {
       points.push_back({n_points, a.image, in_camera_px(a, match.x_px[0])});
       points.push_back({n_points, b.image, in_camera_px(b, match.x_px[1])});

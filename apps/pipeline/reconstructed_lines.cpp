@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -97,7 +96,7 @@ io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
     out.method = reconstruct::name(method);
     out.line_class = reconstruct::name(line.line_class);
     out.status = reconstruct::status_name(line);
-    out.epipolar_angle_deg = line.epipolar_angle_rad * 180.0 / std::numbers::pi;
+    out.epipolar_angle_deg = line.epipolar_angle_rad / kRadPerDeg;
     set_pair(line, out);
     if (scene.views.size() > 2) {
       out.class_base = class_by_base_pair(line, scene, out, max_aligned_angle_deg);

@@ -14,8 +14,8 @@ constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 const cv::Scalar kInk(30.0, 30.0, 30.0);
 
 /// All sizes follow the width of the picture, so that figures of all sizes read alike in print.
-struct Layout {
-  explicit Layout(int width_px) : text_scale(std::clamp(width_px / 1600.0, 0.35, 3.0)) {}
+struct PageLayout {
+  explicit PageLayout(int width_px) : text_scale(std::clamp(width_px / 1600.0, 0.35, 3.0)) {}
   [[nodiscard]] int px(double at_1600) const { return cvRound(at_1600 * text_scale); }
   [[nodiscard]] int stroke() const { return std::max(1, px(1.6)); }
   [[nodiscard]] int width_of(const std::string& text) const {
@@ -29,7 +29,7 @@ struct Layout {
   double text_scale;
 };
 
-void draw_mark(cv::Mat& page, const LegendEntry& entry, cv::Point at, const Layout& layout) {
+void draw_mark(cv::Mat& page, const LegendEntry& entry, cv::Point at, const PageLayout& layout) {
   const cv::Point right(at.x + layout.px(44), at.y);
   const int width = std::max(2, layout.px(5));
   switch (entry.mark) {
@@ -53,7 +53,10 @@ void draw_mark(cv::Mat& page, const LegendEntry& entry, cv::Point at, const Layo
 }
 
 /// Draws the entries from left to right, in a new row where one is full. Returns the y below them.
-int draw_legend(cv::Mat& page, const std::vector<LegendEntry>& legend, int top, const Layout& at) {
+int draw_legend(cv::Mat& page,
+                const std::vector<LegendEntry>& legend,
+                int top,
+                const PageLayout& at) {
   const int margin = at.px(24);
   int x = margin;
   int y = top + at.px(36);
@@ -70,7 +73,7 @@ int draw_legend(cv::Mat& page, const std::vector<LegendEntry>& legend, int top, 
   return y;
 }
 
-void draw_scale(cv::Mat& page, const FigureFrame& frame, int y, const Layout& at) {
+void draw_scale(cv::Mat& page, const FigureFrame& frame, int y, const PageLayout& at) {
   const int margin = at.px(24);
   const double bar_m = scale_bar_m(0.2 * page.cols / frame.px_per_m);
   const cv::Point left(margin, y);
@@ -86,7 +89,7 @@ void draw_scale(cv::Mat& page, const FigureFrame& frame, int y, const Layout& at
 
 /// The number of pixel rows that the legend needs, measured by drawing it onto a page that is
 /// thrown away.
-int legend_height(int cols, const std::vector<LegendEntry>& legend, const Layout& at) {
+int legend_height(int cols, const std::vector<LegendEntry>& legend, const PageLayout& at) {
   cv::Mat page(1, cols, CV_8UC3);
   return legend.empty() ? 0 : draw_legend(page, legend, 0, at) + at.px(10);
 }
@@ -102,7 +105,7 @@ double scale_bar_m(double longest_m) {
 }
 
 cv::Mat framed(const cv::Mat& picture, const FigureFrame& frame) {
-  const Layout at(picture.cols);
+  const PageLayout at(picture.cols);
   const int head = at.px(56);
   const int legend = legend_height(picture.cols, frame.legend, at);
   const int scale = frame.px_per_m > 0.0 ? at.px(44) : 0;

@@ -3,13 +3,13 @@
 #include "apps/report/figure_colours.h"
 #include "apps/report/figure_frame.h"
 #include "apps/report/figures.h"
+#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/epipolar.h"
 
 #include <fmt/core.h>
 #include <opencv2/imgproc.hpp>
 
 #include <cmath>
-#include <numbers>
 
 namespace ridgeline::apps {
 namespace {
@@ -114,8 +114,7 @@ cv::Mat figure1(const ReportPatch& patch) {
   const auto [base, other] = io::cameras_in_local(*patch.patch, patch.frame);
   SegmentPicture picture(patch.images->base_pair[0]);
   for (const EdgeSegment& segment : patch.images->segments[0]) {
-    const double angle_deg =
-        epipolar_angle_rad(base, other, segment.line.segment) * 180.0 / std::numbers::pi;
+    const double angle_deg = epipolar_angle_rad(base, other, segment.line.segment) / kRadPerDeg;
     const bool is_aligned = angle_deg <= patch.max_aligned_angle_deg;
     picture.draw(segment.in_image, is_aligned ? colour::kAligned : colour::kNotAligned,
                  is_aligned ? kThick : kThin);

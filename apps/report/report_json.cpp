@@ -10,12 +10,12 @@
 #include "evaluate/tables/table2.h"
 #include "io/images/encoded_picture.h"
 #include "io/results/result_folder_reader.h"
+#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/epipolar.h"
 
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <numbers>
 #include <string_view>
 
 namespace ridgeline::apps {
@@ -71,8 +71,7 @@ std::string aligned_base64(const ReportPatch& patch, std::size_t view, std::size
   std::vector<std::uint8_t> bits((segments.size() + 7) / 8);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const double angle_deg =
-        epipolar_angle_rad(own_camera, other_camera, segments[i].line.segment) * 180.0 /
-        std::numbers::pi;
+        epipolar_angle_rad(own_camera, other_camera, segments[i].line.segment) / kRadPerDeg;
     if (angle_deg <= patch.max_aligned_angle_deg) bits[i / 8] |= 1U << (i % 8);
   }
   return base64(bits);

@@ -2,13 +2,13 @@
 #include "apps/report/figure_colours.h"
 #include "apps/report/figure_frame.h"
 #include "apps/report/figures.h"
+#include "reconstruct/geometry/degrees.h"
 
 #include <fmt/core.h>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace ridgeline::apps {
@@ -20,8 +20,8 @@ constexpr int kFractionBits = 4;
 
 /// Parallel projection from the south-west, 40 degrees above the horizon: (right, down, depth), m.
 Eigen::Vector3d in_view(const Eigen::Vector3d& x) {
-  constexpr double kAzimuth_rad = 30.0 * std::numbers::pi / 180.0;
-  constexpr double kElevation_rad = 40.0 * std::numbers::pi / 180.0;
+  constexpr double kAzimuth_rad = 30.0 * kRadPerDeg;
+  constexpr double kElevation_rad = 40.0 * kRadPerDeg;
   const double right = std::cos(kAzimuth_rad) * x.x() - std::sin(kAzimuth_rad) * x.y();
   const double away = std::sin(kAzimuth_rad) * x.x() + std::cos(kAzimuth_rad) * x.y();
   return {right, -std::cos(kElevation_rad) * x.z() - std::sin(kElevation_rad) * away,

@@ -21,13 +21,13 @@
 namespace ridgeline::apps {
 namespace {
 
-struct Figure {
+struct ReportFigure {
   std::string name;
   std::function<cv::Mat()> draw;
 };
 
-std::vector<Figure> figures_of(const ReportPatch& patch, const ShownScene& scene) {
-  std::vector<Figure> figures;
+std::vector<ReportFigure> figures_of(const ReportPatch& patch, const ShownScene& scene) {
+  std::vector<ReportFigure> figures;
   if (patch.images && !patch.images->segments[0].empty()) {
     figures.push_back({patch.subfolder + "fig1.png", [&patch] { return figure1(patch); }});
     for (std::size_t i = 0; i < 2; ++i) {
@@ -75,9 +75,9 @@ std::string write_report_of(const ReportInput& input,
   std::vector<ShownScene> scenes(input.patches.size());
   tbb::parallel_for(std::size_t{0}, scenes.size(),
                     [&](std::size_t i) { scenes[i] = shown_scene(input.patches[i]); });
-  std::vector<Figure> figures;
+  std::vector<ReportFigure> figures;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    for (Figure& figure : figures_of(input.patches[i], scenes[i])) {
+    for (ReportFigure& figure : figures_of(input.patches[i], scenes[i])) {
       figures.push_back(std::move(figure));
     }
   }

@@ -56,8 +56,9 @@ Appearance::Appearance(const Scene& scene, std::uint32_t seed, float texture)
   bend_leaves();
 }
 
-Appearance::Surface Appearance::surface_of(const Triangle& triangle, std::uint32_t index) const {
-  Surface surface;
+Appearance::TriangleSurface Appearance::surface_of(const Triangle& triangle,
+                                                   std::uint32_t index) const {
+  TriangleSurface surface;
   surface.normal = triangle_normal(scene_->mesh, static_cast<int>(index)).cast<float>();
   const bool level = std::abs(surface.normal.z()) > kLevelCosine;
   Eigen::Vector3f along = Eigen::Vector3f::UnitX();
@@ -100,7 +101,7 @@ void Appearance::bend_leaves() {
     const Crown& crown = crowns[triangle.object_id];
     const Eigen::Vector3d outwards =
         mesh.vertices[static_cast<std::size_t>(triangle.vertices[0])] - crown.sum / crown.count;
-    Surface& leaf = surfaces_[i];
+    TriangleSurface& leaf = surfaces_[i];
     if (leaf.normal.z() < 0.0F) leaf.normal = -leaf.normal;
     leaf.normal = (0.4F * leaf.normal + outwards.normalized().cast<float>()).normalized();
     leaf.base *= 0.7F + 0.6F * unit(leaf.face_key);
@@ -124,7 +125,7 @@ Spectrum Appearance::reflectance(int triangle,
 Spectrum Appearance::textured(int triangle,
                               const Eigen::Vector3d& x_in_local,
                               float footprint_m) const {
-  const Surface& surface = surfaces_[static_cast<std::size_t>(triangle)];
+  const TriangleSurface& surface = surfaces_[static_cast<std::size_t>(triangle)];
   const Eigen::Vector3f x = x_in_local.cast<float>();
   const Eigen::Vector2f uv(surface.u_axis.dot(x), surface.v_axis.dot(x));
   const float shortest_m = std::max(0.08F, 2.0F * footprint_m);

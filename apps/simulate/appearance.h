@@ -35,7 +35,7 @@ class Appearance {
   }
 
  private:
-  struct Surface {
+  struct TriangleSurface {
     Eigen::Vector3f normal;
     Eigen::Vector3f u_axis;      ///< level direction
     Eigen::Vector3f v_axis;      ///< direction up the slope
@@ -48,13 +48,13 @@ class Appearance {
   [[nodiscard]] Spectrum textured(int triangle,
                                   const Eigen::Vector3d& x_in_local,
                                   float footprint_m) const;
-  [[nodiscard]] Surface surface_of(const Triangle& triangle, std::uint32_t index) const;
+  [[nodiscard]] TriangleSurface surface_of(const Triangle& triangle, std::uint32_t index) const;
   void bend_leaves();
 
   const Scene* scene_;
   std::uint32_t seed_;
   float texture_;
-  std::vector<Surface> surfaces_;  ///< one per triangle
+  std::vector<TriangleSurface> surfaces_;  ///< one per triangle
 };
 
 }  // namespace ridgeline::simulate

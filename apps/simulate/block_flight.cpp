@@ -16,13 +16,13 @@ namespace ridgeline::simulate {
 namespace {
 
 /// The block on level ground.
-struct BlockPlan {
+struct StripPlan {
   Eigen::Vector2d frame_m;  ///< what a frame shows: along its strip, across
   double base_m;            ///< between the frames of a strip
   double spacing_m;         ///< between the strips
 };
 
-BlockPlan plan_of(const BlockOptions& block, const FlightOptions& flight) {
+StripPlan plan_of(const BlockOptions& block, const FlightOptions& flight) {
   validate(block);
   validate(flight);
   check(block.num_strips >= 1 && block.num_strips <= kMaxStripsOrFrames,
@@ -37,13 +37,13 @@ BlockPlan plan_of(const BlockOptions& block, const FlightOptions& flight) {
 }
 
 /// What two frames of each strip show.
-Eigen::Vector2d shown_twice_m(const BlockOptions& block, const BlockPlan& plan) {
+Eigen::Vector2d shown_twice_m(const BlockOptions& block, const StripPlan& plan) {
   return {plan.frame_m.x() + (block.num_frames - 3) * plan.base_m,
           plan.frame_m.y() + (block.num_strips - 1) * plan.spacing_m};
 }
 
 /// How much less a frame may show of the objects at its border than of level ground.
-Eigen::Vector2d margin_m(const BlockPlan& plan,
+Eigen::Vector2d margin_m(const StripPlan& plan,
                          const FlightOptions& flight,
                          double terrain_slope_deg) {
   constexpr double kMaxObjectHeight_m = 15.0;  // of houses and trees
@@ -59,7 +59,7 @@ Eigen::Vector2d margin_m(const BlockPlan& plan,
 }
 
 /// Frames of a strip along y, so that two show each place that the strips along x show.
-int num_cross_frames(const BlockOptions& block, const BlockPlan& plan) {
+int num_cross_frames(const BlockOptions& block, const StripPlan& plan) {
   const double steps = (shown_twice_m(block, plan).y() - plan.frame_m.x()) / plan.base_m;
   constexpr double kRounding = 1e-9;
   return std::max(2, static_cast<int>(std::ceil(steps - kRounding)) + 3);
@@ -77,7 +77,7 @@ double from_middle(int i, int count) { return i - 0.5 * (count - 1); }
 
 /// Adds the frames of strips whose numbers follow those of `num_before` other strips.
 void add_strips(const Strips& strips,
-                const BlockPlan& plan,
+                const StripPlan& plan,
                 int num_before,
                 std::vector<PlannedView>& views) {
   const Eigen::Rotation2Dd plan_from_flight(strips.azimuth_rad);
@@ -118,7 +118,7 @@ bool shows(const AerialView& view, const Eigen::Vector3d& x) {
 Eigen::Vector2d block_extent_m(const BlockOptions& block,
                                const FlightOptions& flight,
                                double terrain_slope_deg) {
-  const BlockPlan plan = plan_of(block, flight);
+  const StripPlan plan = plan_of(block, flight);
   Eigen::Vector2d extent_m =
       (shown_twice_m(block, plan) - 2.0 * margin_m(plan, flight, terrain_slope_deg))
           .array()
@@ -136,7 +136,7 @@ std::vector<PlannedView> block_views(const BlockOptions& block,
                                      const Scene& scene) {
   // so that no frame of a strip along y stands where one of a strip along x does
   constexpr double kCrossShiftBases = 0.25;
-  const BlockPlan plan = plan_of(block, flight);
+  const StripPlan plan = plan_of(block, flight);
   std::vector<PlannedView> views;
   add_strips({block.num_strips, block.num_frames, 0.0, 0.0}, plan, 0, views);
   add_strips({block.num_cross_strips, num_cross_frames(block, plan), 0.5 * std::numbers::pi,

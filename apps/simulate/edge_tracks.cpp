@@ -10,7 +10,7 @@
 namespace ridgeline::simulate {
 namespace {
 
-ShownEdge with_clear_runs(const ShownEdge& edge, const ReferenceOptions& options) {
+ShownEdge with_clear_runs(const ShownEdge& edge, const VisibilityOptions& options) {
   ShownEdge clear{edge.kind, edge.rank, {}};
   std::ranges::copy_if(edge.runs, std::back_inserter(clear.runs),
                        [&](const VisibleRun& s) { return is_clear(s, options); });
@@ -25,7 +25,7 @@ bool is_in_two_views(const ShownEdge& edge) {
 }  // namespace
 
 std::vector<ShownEdge> edge_tracks(std::span<const ShownEdge> edges,
-                                   const ReferenceOptions& options) {
+                                   const VisibilityOptions& options) {
   std::vector<ShownEdge> candidates;
   for (const ShownEdge& edge : edges) {
     ShownEdge clear = with_clear_runs(edge, options);

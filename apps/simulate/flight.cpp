@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 namespace ridgeline::simulate {
 namespace {
@@ -53,7 +52,7 @@ void check_frame_size(const Eigen::Vector2i& size_px) {
 }
 
 /// Where an image lies in the full frame, whose principal point is pixel (0, 0).
-struct Window {
+struct RenderedWindow {
   Eigen::Vector2d corner_px;  ///< the top-left pixel
   Eigen::Vector2i size_px;
 };
@@ -77,10 +76,10 @@ ExteriorOrientation flown(const Scene& scene,
 }
 
 /// The whole frame, or the part of it that shows the plan.
-Window window_of(const Scene& scene,
-                 const FlightOptions& options,
-                 const PlannedView& planned,
-                 const ProjectionMatrix& frame_from_world) {
+RenderedWindow window_of(const Scene& scene,
+                         const FlightOptions& options,
+                         const PlannedView& planned,
+                         const ProjectionMatrix& frame_from_world) {
   if (options.frame_px) {
     check_num_pixels(options.frame_px->cast<double>());
     return {-0.5 * (options.frame_px->cast<double>() - Eigen::Vector2d::Ones()), *options.frame_px};
@@ -150,7 +149,7 @@ AerialView aerial_view(const Scene& scene,
   interior.focal_length_px.setConstant(options.focal_length_px);
   const ExteriorOrientation exterior = flown(scene, options, planned);
   const ProjectionMatrix frame_from_world = projection_matrix(interior, exterior);
-  const Window window = window_of(scene, options, planned, frame_from_world);
+  const RenderedWindow window = window_of(scene, options, planned, frame_from_world);
   AerialView view;
   view.id = planned.id;
   view.number = planned.number;
@@ -221,7 +220,7 @@ std::array<ProjectionMatrix, 2> nominal_pair(const Scene& scene) {
 
 void set_class(std::span<const ProjectionMatrix> image_from_world, io::Line& line) {
   line.epipolar_angle_deg =
-      epipolar_angle_rad(image_from_world, line.segment_in_world) * 180.0 / std::numbers::pi;
+      epipolar_angle_rad(image_from_world, line.segment_in_world) / kRadPerDeg;
   line.line_class = *line.epipolar_angle_deg <= kMaxAlignedAngle_deg ? "aligned" : "not_aligned";
 }
 

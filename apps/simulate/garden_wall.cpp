@@ -43,7 +43,7 @@ void add_wall_body(const ConvexPolygon& outline,
 }  // namespace
 
 void add_garden_wall(const Terrain& terrain,
-                     const Row& row,
+                     const TerrainRow& row,
                      const Eigen::Vector2d& low_uv,
                      bool with_feet,
                      Random& random,

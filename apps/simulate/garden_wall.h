@@ -12,7 +12,7 @@ namespace ridgeline::simulate {
 /// u; none if it leaves the plan. Its top is parallel to the ground. Its lines: both long sides of
 /// the top and, `with_feet`, both feet.
 void add_garden_wall(const Terrain& terrain,
-                     const Row& row,
+                     const TerrainRow& row,
                      const Eigen::Vector2d& low_uv,
                      bool with_feet,
                      Random& random,

@@ -102,7 +102,7 @@ bool fits(const RoofPart& annex,
     // below the overhang of the house: at its wall and at its eave
     const Eigen::Vector2d at_wall =
         corner - (corner - wall.middle).dot(wall.outwards) * wall.outwards;
-    Interval below{0.0, 1.0};
+    PlanInterval below{0.0, 1.0};
     const Segment2 outwards{at_wall, at_wall + wall.outwards};
     for (const PlanFunction& side : house_sides) below = clip(below, outwards, side);
     for (const double d : {0.0, below.empty() ? 0.0 : below.end}) {

@@ -120,8 +120,8 @@ bool has_ridge_of_gable(RoofType type) {
          type == RoofType::kShedDormers || type == RoofType::kHipped;
 }
 
-Building record(const HouseShape& shape, RoofType type, const Site& site) {
-  Building building;
+SceneBuilding record(const HouseShape& shape, RoofType type, const Site& site) {
+  SceneBuilding building;
   building.id = shape.building_id;
   building.type = type;
   building.pitch_rad =
@@ -130,7 +130,7 @@ Building record(const HouseShape& shape, RoofType type, const Site& site) {
   return building;
 }
 
-void register_parts(const std::vector<RoofPart>& parts, Building& building) {
+void register_parts(const std::vector<RoofPart>& parts, SceneBuilding& building) {
   for (const RoofPart& part : parts) {
     if (part.building_id != building.id) continue;
     building.footprint.push_back(part.walls);
@@ -175,7 +175,7 @@ void add_parts(const VillageOptions& options,
   const int first_plane_id = static_cast<int>(scene.planes.size());
   add_structure(parts, scene);
   if (!options.with_feet) return;
-  const std::vector<RoofFace> faces = roof_faces(parts, first_plane_id);
+  const std::vector<PartFace> faces = roof_faces(parts, first_plane_id);
   std::ranges::move(wall_feet(parts, faces, ground), std::back_inserter(scene.lines));
 }
 
@@ -194,7 +194,7 @@ void add_single_house(const VillageOptions& options,
   }
   add_additions(options, type, site, shape, clutter, parts);
   for (RoofPart& part : parts) part = placed(part, site.centre_m, site.azimuth_rad);
-  Building building = record(shape, type, site);
+  SceneBuilding building = record(shape, type, site);
   register_parts(parts, building);
   scene.buildings.push_back(std::move(building));
   add_parts(options, parts, site.ground, scene);
@@ -243,7 +243,7 @@ void add_row(const VillageOptions& options, const Site& site, Random& random, Sc
   for (int i = 0; i < kRowLength; ++i) {
     shape.building_id = static_cast<int>(scene.buildings.size());
     parts.push_back(placed(row_part(shape, heights_m, i), site.centre_m, site.azimuth_rad));
-    Building building = record(shape, RoofType::kRow, site);
+    SceneBuilding building = record(shape, RoofType::kRow, site);
     register_parts(parts, building);
     scene.buildings.push_back(std::move(building));
   }

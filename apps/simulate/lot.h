@@ -22,7 +22,7 @@ struct Site {
   GroundPlane ground{};
 };
 
-/// Adds a random house of a type: its parts, lines, planes and Building record(s). Annexes and
+/// Adds a random house of a type: its parts, lines, planes and SceneBuilding record(s). Annexes and
 /// small dormers are drawn from `clutter`.
 void add_house(const VillageOptions& options,
                RoofType type,

@@ -3,7 +3,7 @@
 
 namespace ridgeline::simulate {
 
-void add_polygon(const std::vector<Eigen::Vector3d>& corners, const Look& look, Mesh& mesh) {
+void add_polygon(const std::vector<Eigen::Vector3d>& corners, const SurfaceLook& look, Mesh& mesh) {
   const auto first = static_cast<std::int32_t>(mesh.vertices.size());
   const auto n = static_cast<std::int32_t>(corners.size());
   if (n < 3) return;
@@ -17,8 +17,11 @@ void add_polygon(const std::vector<Eigen::Vector3d>& corners, const Look& look, 
   }
 }
 
-void add_prism(
-    const ConvexPolygon& outline, double low_z, double high_z, const Look& look, Mesh& mesh) {
+void add_prism(const ConvexPolygon& outline,
+               double low_z,
+               double high_z,
+               const SurfaceLook& look,
+               Mesh& mesh) {
   std::vector<Eigen::Vector3d> top;
   for (const Eigen::Vector2d& x : outline) top.emplace_back(x.x(), x.y(), high_z);
   add_polygon(top, look, mesh);

@@ -18,7 +18,7 @@ void add_parked_car(const Car& car, bool with_lines, Scene& scene);
 /// A lot with the street before it.
 struct CarSite {
   const Terrain& terrain;
-  const Row& row;
+  const TerrainRow& row;
   Eigen::Vector2d low_uv;
   double street_azimuth_rad = 0.0;
   /// Whether a circle in plan is in the extent and clear of the houses.

@@ -54,7 +54,7 @@ class Ground {
     }
   }
   [[nodiscard]] std::optional<double> height(const Eigen::Vector2d& x) const {
-    for (const Piece& piece : pieces_) {
+    for (const VisiblePiece& piece : pieces_) {
       const bool inside = std::all_of(piece.sides.begin(), piece.sides.end(),
                                       [&](const PlanFunction& side) { return side(x) >= 0.0; });
       if (inside) return height_at(piece.plane, x);
@@ -63,11 +63,11 @@ class Ground {
   }
 
  private:
-  struct Piece {
+  struct VisiblePiece {
     std::vector<PlanFunction> sides;
     Plane3 plane;
   };
-  std::vector<Piece> pieces_;
+  std::vector<VisiblePiece> pieces_;
 };
 
 /// Raises the lower border of a body to the ground, where it is seen.

@@ -87,10 +87,10 @@ ConvexPolygon clip(const ConvexPolygon& polygon, std::span<const PlanFunction> i
   return result.corners;
 }
 
-Interval clip(Interval interval, const Segment2& segment, const PlanFunction& inside) {
+PlanInterval clip(PlanInterval interval, const Segment2& segment, const PlanFunction& inside) {
   const double f0 = inside(segment.start);
   const double slope = inside.gradient.dot(segment.end - segment.start);
-  if (slope == 0.0) return f0 >= 0.0 ? interval : Interval{0.0, 0.0};
+  if (slope == 0.0) return f0 >= 0.0 ? interval : PlanInterval{0.0, 0.0};
   const double root = -f0 / slope;
   if (slope > 0.0) {
     interval.begin = std::max(interval.begin, root);
@@ -100,9 +100,10 @@ Interval clip(Interval interval, const Segment2& segment, const PlanFunction& in
   return interval;
 }
 
-std::vector<Interval> subtract(std::span<const Interval> intervals, const Interval& hole) {
-  std::vector<Interval> result;
-  for (const Interval& interval : intervals) {
+std::vector<PlanInterval> subtract(std::span<const PlanInterval> intervals,
+                                   const PlanInterval& hole) {
+  std::vector<PlanInterval> result;
+  for (const PlanInterval& interval : intervals) {
     if (hole.empty() || hole.end <= interval.begin || hole.begin >= interval.end) {
       result.push_back(interval);
       continue;
@@ -127,7 +128,7 @@ std::optional<Segment2> intersection(const PlanFunction& height_a,
   const Eigen::Vector2d foot =
       polygon_a.front() - normal * (difference(polygon_a.front()) / steepness);
   const Segment2 line{foot - kReachM * along, foot + kReachM * along};
-  Interval interval;
+  PlanInterval interval;
   for (const ConvexPolygon* polygon : {&polygon_a, &polygon_b}) {
     for (const PlanFunction& side : half_planes(*polygon)) interval = clip(interval, line, side);
   }

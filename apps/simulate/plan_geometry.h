@@ -55,17 +55,18 @@ LabelledPolygon clip(const LabelledPolygon& polygon, const PlanFunction& inside,
 ConvexPolygon clip(const ConvexPolygon& polygon, std::span<const PlanFunction> inside);
 
 /// A part of a segment, by the parameters t of point_at(segment, t); empty unless begin < end.
-struct Interval {
+struct PlanInterval {
   double begin = 0.0;
   double end = 1.0;
   [[nodiscard]] bool empty() const { return !(begin < end); }
 };
 
 /// The part of the interval where inside >= 0 along the segment.
-Interval clip(Interval interval, const Segment2& segment, const PlanFunction& inside);
+PlanInterval clip(PlanInterval interval, const Segment2& segment, const PlanFunction& inside);
 
 /// The pieces of the intervals outside `hole`.
-std::vector<Interval> subtract(std::span<const Interval> intervals, const Interval& hole);
+std::vector<PlanInterval> subtract(std::span<const PlanInterval> intervals,
+                                   const PlanInterval& hole);
 
 /// The segment on which two heights agree, within both polygons; nothing for parallel planes.
 std::optional<Segment2> intersection(const PlanFunction& height_a,

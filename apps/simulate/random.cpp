@@ -7,24 +7,16 @@
 namespace ridgeline::simulate {
 namespace {
 
-constexpr std::uint64_t kGoldenGamma = 0x9e3779b97f4a7c15ULL;
-
-std::uint64_t mix(std::uint64_t z) {
-  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
-  return z ^ (z >> 31U);
+std::uint64_t state_of(std::initializer_list<std::uint64_t> key) {
+  std::uint64_t state = 0;
+  for (const std::uint64_t part : key)
+    state = SplitMix64::mix(state + SplitMix64::kStep + SplitMix64::mix(part));
+  return state;
 }
 
 }  // namespace
 
-Random::Random(std::initializer_list<std::uint64_t> key) {
-  for (const std::uint64_t part : key) state_ = mix(state_ + kGoldenGamma + mix(part));
-}
-
-std::uint64_t Random::next() {
-  state_ += kGoldenGamma;
-  return mix(state_);
-}
+Random::Random(std::initializer_list<std::uint64_t> key) : SplitMix64(state_of(key)) {}
 
 double Random::uniform() {
   constexpr double kTwoToMinus53 = 1.0 / 9007199254740992.0;

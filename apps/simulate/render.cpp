@@ -124,7 +124,7 @@ class RowBlock {
         end_row_(end_row),
         columns_(view.size_px.x()),
         sums_(static_cast<std::size_t>(end_row - first_row) * static_cast<std::size_t>(columns_),
-              Sum{Spectrum::Zero(), 0.0F}) {}
+              WeightedSum{Spectrum::Zero(), 0.0F}) {}
 
   /// `radiance`: the rows of the block.
   void render(cv::Mat radiance) {
@@ -138,14 +138,14 @@ class RowBlock {
     for (int row = first_row_; row < end_row_; ++row) {
       auto* out = radiance.ptr<cv::Vec4f>(row - first_row_);
       for (int column = 0; column < columns_; ++column) {
-        const Sum& sum = sums_[index(row, column)];
+        const WeightedSum& sum = sums_[index(row, column)];
         for (int band = 0; band < 4; ++band) out[column][band] = sum.light[band] / sum.weight;
       }
     }
   }
 
  private:
-  struct Sum {
+  struct WeightedSum {
     Spectrum light;
     float weight;
   };
@@ -209,10 +209,10 @@ class RowBlock {
   }
 
   /// The steps from a pixel to those within reach whose number is in [begin, end).
-  struct Steps {
+  struct SplatSteps {
     int first, last;
   };
-  static Steps steps_within(int begin, int end, int at) {
+  static SplatSteps steps_within(int begin, int end, int at) {
     constexpr int kReach = PointSpread::kReachPx;
     return {std::max(-kReach, begin - at), std::min(kReach, end - 1 - at)};
   }
@@ -223,12 +223,12 @@ class RowBlock {
            const PointSpread::Weights& along_y,
            const Spectrum& light) {
     constexpr int kReach = PointSpread::kReachPx;
-    const Steps down = steps_within(first_row_, end_row_, row);
-    const Steps right = steps_within(0, columns_, column);
+    const SplatSteps down = steps_within(first_row_, end_row_, row);
+    const SplatSteps right = steps_within(0, columns_, column);
     for (int k = down.first; k <= down.last; ++k) {
       const int tap_y = k + kReach;
       const float weight_y = along_y[static_cast<std::size_t>(tap_y)];
-      Sum* sum = &sums_[index(row + k, column + right.first)];
+      WeightedSum* sum = &sums_[index(row + k, column + right.first)];
       for (int i = right.first; i <= right.last; ++i, ++sum) {
         const int tap_x = i + kReach;
         const float weight = weight_y * along_x[static_cast<std::size_t>(tap_x)];
@@ -244,7 +244,7 @@ class RowBlock {
   SubPixelLattice beyond_{1};
   const PointSpread& spread_;
   int first_row_, end_row_, columns_;
-  std::vector<Sum> sums_;
+  std::vector<WeightedSum> sums_;
   std::vector<RayScene::Ray> rays_;
   std::vector<RayOrigin> origins_;  // one per ray
 };

@@ -13,22 +13,22 @@ constexpr double kHorizontalM = 1e-9;         // height difference over a line
 
 /// Where `part` rises above `height` along the segment. This is one interval, because the outline
 /// and planes of the part are half-planes. It is empty where the two only touch.
-Interval covered_interval(const RoofPart& part,
-                          const Segment2& segment,
-                          const PlanFunction& height) {
+PlanInterval covered_interval(const RoofPart& part,
+                              const Segment2& segment,
+                              const PlanFunction& height) {
   std::vector<PlanFunction> conditions = half_planes(part.outline);
   for (const PlanFunction& top : part.tops) conditions.push_back(top - height);
-  Interval interval;
+  PlanInterval interval;
   for (const PlanFunction& inside : conditions) interval = clip(interval, segment, inside);
   const double middle = 0.5 * (interval.begin + interval.end);
   const Eigen::Vector2d x = (1.0 - middle) * segment.start + middle * segment.end;
   const bool deep =
       std::all_of(conditions.begin(), conditions.end(),
                   [&](const PlanFunction& inside) { return inside(x) > kRoofTouchM; });
-  return deep ? interval : Interval{0.0, 0.0};
+  return deep ? interval : PlanInterval{0.0, 0.0};
 }
 
-Segment3 lifted(const Segment2& segment, const Interval& interval, const PlanFunction& height) {
+Segment3 lifted(const Segment2& segment, const PlanInterval& interval, const PlanFunction& height) {
   const auto at = [&](double t) -> Eigen::Vector3d {
     const Eigen::Vector2d x = (1.0 - t) * segment.start + t * segment.end;
     return {x.x(), x.y(), height(x)};
@@ -38,11 +38,11 @@ Segment3 lifted(const Segment2& segment, const Interval& interval, const PlanFun
 
 class LineCollector {
  public:
-  LineCollector(std::span<const RoofPart> parts, std::span<const RoofFace> faces)
+  LineCollector(std::span<const RoofPart> parts, std::span<const PartFace> faces)
       : parts_(parts), faces_(faces) {}
 
   std::vector<SceneLine> collect() {
-    for (const RoofFace& face : faces_) {
+    for (const PartFace& face : faces_) {
       add_sides(face);
       add_joints(face);
     }
@@ -53,19 +53,19 @@ class LineCollector {
   }
 
  private:
-  [[nodiscard]] const RoofPart& part_of(const RoofFace& face) const {
+  [[nodiscard]] const RoofPart& part_of(const PartFace& face) const {
     return parts_[static_cast<std::size_t>(face.part)];
   }
 
   /// Adds the borders of the face within its own part: its outline, ridges and hips.
-  void add_sides(const RoofFace& face) {
+  void add_sides(const PartFace& face) {
     const std::size_t n = face.cell.corners.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Segment2 side{face.cell.corners[i], face.cell.corners[(i + 1) % n]};
       const int label = face.cell.labels[i];
       const bool level = std::abs(face.height(side.end) - face.height(side.start)) < kHorizontalM;
       if (label < 0) {
-        const RoofFace* other = neighbour(face, -1 - label);
+        const PartFace* other = neighbour(face, -1 - label);
         if (other == nullptr || other->plane_id < face.plane_id) continue;  // the other adds it
         add(side, face, level ? LineKind::kRidge : LineKind::kHip, other);
       } else if (is_joint(face, label)) {
@@ -77,14 +77,14 @@ class LineCollector {
   }
 
   /// Adds the joints where walls of higher parts stand on the face.
-  void add_joints(const RoofFace& face) {
+  void add_joints(const PartFace& face) {
     const std::vector<PlanFunction> cell = half_planes(face.cell.corners);
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       if (static_cast<int>(p) == face.part) continue;
       const ConvexPolygon& outline = parts_[p].outline;
       for (std::size_t i = 0; i < outline.size(); ++i) {
         const Segment2 side{outline[i], outline[(i + 1) % outline.size()]};
-        Interval interval;
+        PlanInterval interval;
         for (const PlanFunction& inside : cell) interval = clip(interval, side, inside);
         for (const PlanFunction& top : parts_[p].tops) {
           interval = clip(interval, side, top - face.height);
@@ -96,34 +96,34 @@ class LineCollector {
     }
   }
 
-  void add_valley(const RoofFace& a, const RoofFace& b) {
+  void add_valley(const PartFace& a, const PartFace& b) {
     if (a.part == b.part || part_of(b).kind == PlaneKind::kChimney) return;
     const auto line = intersection(a.height, a.cell.corners, b.height, b.cell.corners);
     if (line) add(*line, a, LineKind::kValley, &b);
   }
 
-  [[nodiscard]] const RoofFace* neighbour(const RoofFace& face, int top) const {
-    for (const RoofFace& other : faces_) {
+  [[nodiscard]] const PartFace* neighbour(const PartFace& face, int top) const {
+    for (const PartFace& other : faces_) {
       if (other.part == face.part && other.top == top) return &other;
     }
     return nullptr;
   }
 
-  [[nodiscard]] bool is_joint(const RoofFace& face, int side) const {
+  [[nodiscard]] bool is_joint(const PartFace& face, int side) const {
     const std::vector<bool>& flags = part_of(face).is_joint;
     return !flags.empty() && flags[static_cast<std::size_t>(side)];
   }
 
   /// Adds the pieces of the segment that no third part covers.
-  void add(const Segment2& segment, const RoofFace& face, LineKind kind, const RoofFace* other) {
+  void add(const Segment2& segment, const PartFace& face, LineKind kind, const PartFace* other) {
     if (part_of(face).kind == PlaneKind::kChimney) return;
-    std::vector<Interval> visible{Interval{}};
+    std::vector<PlanInterval> visible{PlanInterval{}};
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       if (static_cast<int>(p) == face.part) continue;
       if (other != nullptr && static_cast<int>(p) == other->part) continue;
       visible = subtract(visible, covered_interval(parts_[p], segment, face.height));
     }
-    for (const Interval& interval : visible) {
+    for (const PlanInterval& interval : visible) {
       SceneLine line{.segment = lifted(segment, interval, face.height),
                      .kind = kind,
                      .plane_ids = {face.plane_id},
@@ -135,14 +135,14 @@ class LineCollector {
   }
 
   std::span<const RoofPart> parts_;
-  std::span<const RoofFace> faces_;
+  std::span<const PartFace> faces_;
   std::vector<SceneLine> lines_;
 };
 
 }  // namespace
 
 std::vector<SceneLine> roof_lines(std::span<const RoofPart> parts,
-                                  std::span<const RoofFace> faces) {
+                                  std::span<const PartFace> faces) {
   return LineCollector(parts, faces).collect();
 }
 

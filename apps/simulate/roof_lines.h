@@ -10,6 +10,6 @@ namespace ridgeline::simulate {
 
 /// All edges of the upper envelope of the parts, true lines and joints (kind kJoint) together.
 /// Pieces that another part covers from above are cut off. Chimneys cover, but give no lines.
-std::vector<SceneLine> roof_lines(std::span<const RoofPart> parts, std::span<const RoofFace> faces);
+std::vector<SceneLine> roof_lines(std::span<const RoofPart> parts, std::span<const PartFace> faces);
 
 }  // namespace ridgeline::simulate

@@ -13,7 +13,7 @@ namespace {
 
 Eigen::Vector3d lift(const Eigen::Vector2d& x, double z) { return {x.x(), x.y(), z}; }
 
-void add_plane(const RoofPart& part, const RoofFace& face, Scene& scene) {
+void add_plane(const RoofPart& part, const PartFace& face, Scene& scene) {
   ScenePlane plane{.id = face.plane_id,
                    .plane = plane_of(face.height),
                    .outline = {},
@@ -26,10 +26,11 @@ void add_plane(const RoofPart& part, const RoofFace& face, Scene& scene) {
 }
 
 /// Adds the top, the underside and the fascia of one face.
-void add_slab(const RoofPart& part, const RoofFace& face, Mesh& mesh) {
+void add_slab(const RoofPart& part, const PartFace& face, Mesh& mesh) {
   const ConvexPolygon& corners = face.cell.corners;
   const bool chimney = part.kind == PlaneKind::kChimney;
-  const Look top{part.building_id, face.plane_id, chimney ? Material::kChimney : Material::kRoof};
+  const SurfaceLook top{part.building_id, face.plane_id,
+                        chimney ? Material::kChimney : Material::kRoof};
   std::vector<Eigen::Vector3d> upper;
   for (const Eigen::Vector2d& x : corners) upper.push_back(lift(x, face.height(x)));
   add_polygon(upper, top, mesh);
@@ -48,13 +49,13 @@ void add_slab(const RoofPart& part, const RoofFace& face, Mesh& mesh) {
 }
 
 /// Adds the piece of each wall below one face, up to the underside of the roof.
-void add_walls(const RoofPart& part, const RoofFace& face, Mesh& mesh) {
+void add_walls(const RoofPart& part, const PartFace& face, Mesh& mesh) {
   const bool chimney = part.kind == PlaneKind::kChimney;
-  const Look look{part.building_id, kNone, chimney ? Material::kChimney : Material::kWall};
+  const SurfaceLook look{part.building_id, kNone, chimney ? Material::kChimney : Material::kWall};
   const std::vector<PlanFunction> cell = half_planes(face.cell.corners);
   for (std::size_t i = 0; i < part.walls.size(); ++i) {
     const Segment2 wall{part.walls[i], part.walls[(i + 1) % part.walls.size()]};
-    Interval interval;
+    PlanInterval interval;
     // walls without overhang lie on the border of the cell, where rounding decides
     constexpr double kBorderM = 1e-9;
     for (const PlanFunction& side : cell) {
@@ -72,8 +73,8 @@ void add_walls(const RoofPart& part, const RoofFace& face, Mesh& mesh) {
 
 }  // namespace
 
-std::vector<RoofFace> roof_faces(std::span<const RoofPart> parts, int first_plane_id) {
-  std::vector<RoofFace> faces;
+std::vector<PartFace> roof_faces(std::span<const RoofPart> parts, int first_plane_id) {
+  std::vector<PartFace> faces;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const RoofPart& part = parts[p];
     LabelledPolygon outline{part.outline, {}};
@@ -95,8 +96,8 @@ std::vector<RoofFace> roof_faces(std::span<const RoofPart> parts, int first_plan
 }
 
 void add_structure(std::span<const RoofPart> parts, Scene& scene) {
-  const std::vector<RoofFace> faces = roof_faces(parts, static_cast<int>(scene.planes.size()));
-  for (const RoofFace& face : faces) {
+  const std::vector<PartFace> faces = roof_faces(parts, static_cast<int>(scene.planes.size()));
+  for (const PartFace& face : faces) {
     const RoofPart& part = parts[static_cast<std::size_t>(face.part)];
     add_plane(part, face, scene);
     add_slab(part, face, scene.mesh);

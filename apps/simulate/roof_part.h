@@ -23,7 +23,7 @@ struct RoofPart {
 };
 
 /// One plane of one part, restricted to where it is the lowest of its part.
-struct RoofFace {
+struct PartFace {
   int part = 0;
   int plane_id = 0;  ///< index into Scene::planes
   PlanFunction height;
@@ -32,7 +32,7 @@ struct RoofFace {
 };
 
 /// The faces of all parts, with ids counted from `first_plane_id`.
-std::vector<RoofFace> roof_faces(std::span<const RoofPart> parts, int first_plane_id);
+std::vector<PartFace> roof_faces(std::span<const RoofPart> parts, int first_plane_id);
 
 /// Adds planes, lines, joints, faces and triangles of parts that may touch each other, but no other
 /// part of the scene.

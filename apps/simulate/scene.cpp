@@ -96,7 +96,7 @@ io::BuildingModel true_model(const Scene& scene) {
                               {"roof", io::ColumnType::kText},
                               {"pitch_deg", io::ColumnType::kReal},
                               {"ridge_azimuth_deg", io::ColumnType::kReal}};
-  for (const Building& building : scene.buildings) {
+  for (const SceneBuilding& building : scene.buildings) {
     model.buildings.push_back({fmt::format("building_{}", building.id), "2"});
     model.attributes.rows.push_back({{0, std::int64_t{building.id}},
                                      {1, std::string(name(building.type))},

@@ -107,7 +107,7 @@ enum class RoofType : std::uint8_t {
 inline constexpr int kNumRoofTypes = 9;
 const char* name(RoofType type);
 
-struct Building {
+struct SceneBuilding {
   int id = 0;  ///< index into Scene::buildings
   RoofType type = RoofType::kGabled;
   double ridge_azimuth_rad = 0.0;             ///< angle of the main ridge to the x axis, in [0, pi)
@@ -134,7 +134,7 @@ struct Scene {
   std::vector<ScenePlane> planes;
   std::vector<SceneLine> lines;   ///< true lines
   std::vector<SceneLine> joints;  ///< kind kJoint: they close the outlines of the visible faces
-  std::vector<Building> buildings;
+  std::vector<SceneBuilding> buildings;
   std::vector<SceneFace> faces;  ///< of the buildings, those of one together
 };
 

@@ -28,11 +28,11 @@ std::vector<int> file_bands(const std::string& bands) {
 /// Gain of each band. At full gain the near infrared of plants would outshine everything else.
 constexpr std::array<double, 4> kBandGain{1.0, 1.0, 1.0, 0.75};
 
-double recorded(double radiance, std::size_t band, const SensorOptions& o, const Radiometry& r) {
+double recorded(double radiance, std::size_t band, const SensorOptions& o, const SensorTone& r) {
   return kBandGain[band] * r.gain[band] * radiance / o.white_radiance + r.offset[band];
 }
 
-double toned(double recorded, const SensorOptions& o, const Radiometry& r) {
+double toned(double recorded, const SensorOptions& o, const SensorTone& r) {
   return std::pow(std::clamp(recorded, 0.0, 1.0), 1.0 / (o.gamma * r.gamma));
 }
 
@@ -89,7 +89,7 @@ void expose_row(const cv::Mat& radiance,
                 int first_row,
                 int row,
                 cv::Mat& image) {
-  const Radiometry radiometry = radiometry_of(options, view);
+  const SensorTone radiometry = radiometry_of(options, view);
   const std::vector<int> bands = file_bands(options.bands);
   const double well = options.full_well_electrons;
   constexpr double kMaxValue = std::numeric_limits<Number>::max();
@@ -110,10 +110,10 @@ void expose_row(const cv::Mat& radiance,
 
 }  // namespace
 
-Radiometry radiometry_of(const SensorOptions& options, std::uint64_t view) {
+SensorTone radiometry_of(const SensorOptions& options, std::uint64_t view) {
   Random random({options.seed, kRadiometryStream, view});
   const double sigma = options.radiometric_sigma;
-  Radiometry r;
+  SensorTone r;
   for (std::size_t band = 0; band < r.gain.size(); ++band) {
     r.gain[band] = std::exp(sigma * random.normal());
     r.offset[band] = 0.2 * sigma * std::abs(random.normal());
@@ -122,7 +122,7 @@ Radiometry radiometry_of(const SensorOptions& options, std::uint64_t view) {
   return r;
 }
 
-double tone(double radiance, std::size_t band, const SensorOptions& options, const Radiometry& r) {
+double tone(double radiance, std::size_t band, const SensorOptions& options, const SensorTone& r) {
   return toned(recorded(radiance, band, options, r), options, r);
 }
 

@@ -44,17 +44,17 @@ struct SensorOptions {
 };
 
 /// How one view differs from the nominal exposure, per band.
-struct Radiometry {
+struct SensorTone {
   std::array<double, 4> gain{1.0, 1.0, 1.0, 1.0};
   std::array<double, 4> offset{};  ///< haze, as a share of white
   double gamma = 1.0;              ///< factor on the nominal gamma
 };
 
 /// The radiometry of view number 0, 1, ...
-Radiometry radiometry_of(const SensorOptions& options, std::uint64_t view);
+SensorTone radiometry_of(const SensorOptions& options, std::uint64_t view);
 
 /// Noise-free number in [0, 1] of a radiance (1: the largest one of the file).
-double tone(double radiance, std::size_t band, const SensorOptions& options, const Radiometry& r);
+double tone(double radiance, std::size_t band, const SensorOptions& options, const SensorTone& r);
 
 /// Throws std::invalid_argument for an option outside its range and for options that do not go
 /// together: a Bayer pattern needs the bands `rgb`, JPEG needs 8 bits and three bands.

@@ -17,12 +17,12 @@ namespace {
 std::vector<VisibleRun> runs(const SurfaceOracle& oracle,
                              std::size_t view,
                              const Segment3& edge,
-                             const ReferenceOptions& options) {
-  const std::vector<Interval> runs = visible_runs(oracle, view, edge, options);
+                             const VisibilityOptions& options) {
+  const std::vector<PlanInterval> runs = visible_runs(oracle, view, edge, options);
   const double visible_share = total_length(runs);
   std::vector<VisibleRun> result;
   result.reserve(runs.size());
-  for (const Interval& run : runs) {
+  for (const PlanInterval& run : runs) {
     result.push_back({view, run, image_of(oracle, view, edge, run), visible_share});
   }
   return result;
@@ -67,7 +67,7 @@ std::vector<VisibleRun> ShownEdge::in_view(std::size_t view) const {
 
 std::vector<ShownEdge> shown_edges(const Scene& scene,
                                    const SurfaceOracle& oracle,
-                                   const ReferenceOptions& options) {
+                                   const VisibilityOptions& options) {
   const std::vector<PhysicalEdge> edges = physical_edges(scene);
   std::vector<ShownEdge> result(edges.size());
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
@@ -90,7 +90,7 @@ void measure_contrast(std::size_t view, const ImageWindow& village, std::span<Sh
   });
 }
 
-bool is_clear(const VisibleRun& run, const ReferenceOptions& options) {
+bool is_clear(const VisibleRun& run, const VisibilityOptions& options) {
   return length(run.segment_px) >= options.shortest_px && run.contrast >= options.least_contrast;
 }
 

@@ -14,7 +14,7 @@ namespace ridgeline::simulate {
 /// A visible run of an edge in one view.
 struct VisibleRun {
   std::size_t view = 0;
-  Interval run;         ///< parameters of the edge's segment
+  PlanInterval run;     ///< parameters of the edge's segment
   Segment2 segment_px;  ///< its image, pixels of the file; all runs of an edge have one direction
   double visible_share = 0.0;  ///< share of the edge's length that the view sees, all runs together
   double contrast = 0.0;       ///< contrast_across() in the image; measure_contrast() sets it
@@ -33,14 +33,14 @@ struct ShownEdge {
 /// whatever its contrast.
 std::vector<ShownEdge> shown_edges(const Scene& scene,
                                    const SurfaceOracle& oracle,
-                                   const ReferenceOptions& options = {});
+                                   const VisibilityOptions& options = {});
 
 /// Measures the contrast of all runs in a view. `village`: what its image shows of the
 /// village.
 void measure_contrast(std::size_t view, const ImageWindow& village, std::span<ShownEdge> edges);
 
 /// Whether a run is long enough and has enough contrast.
-bool is_clear(const VisibleRun& run, const ReferenceOptions& options);
+bool is_clear(const VisibleRun& run, const VisibilityOptions& options);
 
 /// The edges without those that coincide in all their runs, within a pixel, with an edge of
 /// lower rank or a longer one of equal rank. Ordered by the first view that shows them and there

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/simulate/surface_oracle.h"
 
+#include "reconstruct/geometry/median.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,9 +16,7 @@ namespace {
 
 double median(std::vector<double> values) {
   if (values.empty()) return std::numeric_limits<double>::infinity();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return upper_median(std::move(values));
 }
 
 }  // namespace
@@ -75,7 +75,9 @@ bool SurfaceOracle::same_surface(const Sight& a, const Sight& b) const {
          std::abs(a.normal.dot(b.x - a.x)) < kSamePlaneM;
 }
 
-MatchVerdict judge_match(const SurfaceOracle& oracle, const Segment2& left, const Segment2& right) {
+VisibleVerdict judge_match(const SurfaceOracle& oracle,
+                           const Segment2& left,
+                           const Segment2& right) {
   constexpr double kStepPx = 2.0;
   constexpr double kNearPx = 0.4;  // two distances from the edge, both within a fence of 0.1 m
   constexpr double kFarPx = 0.8;

@@ -56,7 +56,7 @@ class SurfaceOracle {
 };
 
 /// How well segments of the first two views show the same thing, by the surfaces alone.
-struct MatchVerdict {
+struct VisibleVerdict {
   /// Median distance of the true mates of the left segment to the right line; infinite where none
   /// can be seen.
   double right_distance_px = 0.0;
@@ -68,6 +68,8 @@ struct MatchVerdict {
 /// the surface of one of its sides at least; the other may be a background far below, so the better
 /// side counts. On each side the mates of the points close beside the edge are extrapolated to the
 /// edge. At the edge itself it is chance which surface a pixel shows.
-MatchVerdict judge_match(const SurfaceOracle& oracle, const Segment2& left, const Segment2& right);
+VisibleVerdict judge_match(const SurfaceOracle& oracle,
+                           const Segment2& left,
+                           const Segment2& right);
 
 }  // namespace ridgeline::simulate

@@ -26,12 +26,12 @@ Eigen::Vector2d Terrain::local(const Eigen::Vector2d& uv) const {
   return local_from_village_ * uv + centre_m_;
 }
 
-Row Terrain::add_row(double street_v_m, double half_depth_m, const PlanFunction& ground) {
+TerrainRow Terrain::add_row(double street_v_m, double half_depth_m, const PlanFunction& ground) {
   const double half_length_m = scene_->extent_m.norm();
   ConvexPolygon outline = rectangle({-half_length_m, street_v_m - half_depth_m},
                                     {half_length_m, street_v_m + half_depth_m});
   for (Eigen::Vector2d& x : outline) x = local(x);
-  Row row{street_v_m, ground, static_cast<int>(scene_->planes.size())};
+  TerrainRow row{street_v_m, ground, static_cast<int>(scene_->planes.size())};
   ScenePlane plane{.id = row.plane_id,
                    .plane = plane_of(ground),
                    .outline = {},
@@ -42,7 +42,7 @@ Row Terrain::add_row(double street_v_m, double half_depth_m, const PlanFunction&
   return row;
 }
 
-void Terrain::add_tile(const Row& row,
+void Terrain::add_tile(const TerrainRow& row,
                        const Eigen::Vector2d& low_uv,
                        const Eigen::Vector2d& high_uv,
                        Material material) {
@@ -55,13 +55,13 @@ void Terrain::add_tile(const Row& row,
   add_polygon(corners, {kNone, row.plane_id, material, object}, scene_->mesh);
 }
 
-void Terrain::add_line(const Row& row,
+void Terrain::add_line(const TerrainRow& row,
                        const Eigen::Vector2d& start_uv,
                        const Eigen::Vector2d& end_uv,
                        LineKind kind) {
   constexpr double kMinLengthM = 0.5;
   const Segment2 segment{local(start_uv), local(end_uv)};
-  Interval interval;
+  PlanInterval interval;
   for (const PlanFunction& side : extent_) interval = clip(interval, segment, side);
   if ((interval.end - interval.begin) * length(segment) < kMinLengthM) return;
   const auto at = [&](double t) -> Eigen::Vector3d {
@@ -73,7 +73,7 @@ void Terrain::add_line(const Row& row,
                            .building_id = kNone});
 }
 
-void Terrain::add_stripe(const Row& row,
+void Terrain::add_stripe(const TerrainRow& row,
                          const Eigen::Vector2d& low_uv,
                          const Eigen::Vector2d& high_uv) {
   add_tile(row, low_uv, high_uv, Material::kMarking);
@@ -85,7 +85,7 @@ void Terrain::add_stripe(const Row& row,
   add_line(row, third, high_uv);
 }
 
-void Terrain::add_street(const Row& row, double begin_u_m, double end_u_m) {
+void Terrain::add_street(const TerrainRow& row, double begin_u_m, double end_u_m) {
   constexpr double kDashM = 3.0;
   constexpr double kGapM = 6.0;
   constexpr double kHalfStripeM = 0.5 * kStripeM;
@@ -107,7 +107,7 @@ void Terrain::add_street(const Row& row, double begin_u_m, double end_u_m) {
   }
 }
 
-void Terrain::add_parking(const Row& row,
+void Terrain::add_parking(const TerrainRow& row,
                           const Eigen::Vector2d& low_uv,
                           const Eigen::Vector2d& high_uv) {
   constexpr double kBayM = 2.5;
@@ -127,12 +127,12 @@ void Terrain::add_parking(const Row& row,
   }
 }
 
-void Terrain::add_retaining_wall(const Row& low,
-                                 const Row& high,
+void Terrain::add_retaining_wall(const TerrainRow& low,
+                                 const TerrainRow& high,
                                  double v_m,
                                  double half_length_m) {
   const Segment2 segment{local({-half_length_m, v_m}), local({half_length_m, v_m})};
-  Interval interval;
+  PlanInterval interval;
   for (const PlanFunction& side : extent_) interval = clip(interval, segment, side);
   if (interval.empty()) return;
   const Eigen::Vector2d a = segment.start + interval.begin * (segment.end - segment.start);

@@ -11,7 +11,7 @@ inline constexpr double kHalfStreetM = 3.5;
 
 /// One street with the lots on both sides, in village coordinates (u along the streets, v across).
 /// All its ground is one plane.
-struct Row {
+struct TerrainRow {
   double street_v_m = 0.0;  ///< v of the centre line
   PlanFunction ground;      ///< height in local coordinates
   int plane_id = 0;
@@ -27,25 +27,32 @@ class Terrain {
   [[nodiscard]] Eigen::Vector2d local(const Eigen::Vector2d& uv) const;
 
   /// Adds the plane of a row that reaches `half_depth_m` to both sides.
-  Row add_row(double street_v_m, double half_depth_m, const PlanFunction& ground);
-  void add_tile(const Row& row,
+  TerrainRow add_row(double street_v_m, double half_depth_m, const PlanFunction& ground);
+  void add_tile(const TerrainRow& row,
                 const Eigen::Vector2d& low_uv,
                 const Eigen::Vector2d& high_uv,
                 Material material);
   /// Adds a true line on the ground of the row.
-  void add_line(const Row& row,
+  void add_line(const TerrainRow& row,
                 const Eigen::Vector2d& start_uv,
                 const Eigen::Vector2d& end_uv,
                 LineKind kind = LineKind::kGround);
   /// Adds a dashed centre line and the borders of the street, over [begin, end] along u.
-  void add_street(const Row& row, double begin_u_m, double end_u_m);
+  void add_street(const TerrainRow& row, double begin_u_m, double end_u_m);
   /// Adds two ranks of parking bays with their markings.
-  void add_parking(const Row& row, const Eigen::Vector2d& low_uv, const Eigen::Vector2d& high_uv);
+  void add_parking(const TerrainRow& row,
+                   const Eigen::Vector2d& low_uv,
+                   const Eigen::Vector2d& high_uv);
   /// Adds the retaining wall between two rows at v.
-  void add_retaining_wall(const Row& low, const Row& high, double v_m, double half_length_m);
+  void add_retaining_wall(const TerrainRow& low,
+                          const TerrainRow& high,
+                          double v_m,
+                          double half_length_m);
 
  private:
-  void add_stripe(const Row& row, const Eigen::Vector2d& low_uv, const Eigen::Vector2d& high_uv);
+  void add_stripe(const TerrainRow& row,
+                  const Eigen::Vector2d& low_uv,
+                  const Eigen::Vector2d& high_uv);
 
   Eigen::Matrix2d local_from_village_;
   Eigen::Vector2d centre_m_;

@@ -82,11 +82,11 @@ struct WallProfile {
 
 class FaceCollector {
  public:
-  FaceCollector(std::span<const RoofPart> parts, std::span<const RoofFace> roof_faces)
+  FaceCollector(std::span<const RoofPart> parts, std::span<const PartFace> roof_faces)
       : parts_(parts), roof_faces_(roof_faces) {}
 
   std::vector<SceneFace> collect() {
-    for (const RoofFace& face : roof_faces_) add_roof(face);
+    for (const PartFace& face : roof_faces_) add_roof(face);
     for (const RoofPart& part : parts_) {
       for (std::size_t i = 0; i < part.walls.size(); ++i) add_wall(part, i);
     }
@@ -115,7 +115,7 @@ class FaceCollector {
     if (!rings.empty()) faces_.push_back({std::move(rings), kind, building_id});
   }
 
-  void add_roof(const RoofFace& face) {
+  void add_roof(const PartFace& face) {
     const RoofPart& part = parts_[static_cast<std::size_t>(face.part)];
     if (part.kind == PlaneKind::kChimney) return;
     PlanPolygons seen;
@@ -134,11 +134,11 @@ class FaceCollector {
   }
 
   /// Where another part hides the foot of a wall: just outside the wall one is inside that part.
-  static Interval hidden_interval(const RoofPart& other, const Segment2& wall) {
+  static PlanInterval hidden_interval(const RoofPart& other, const Segment2& wall) {
     const Eigen::Vector2d along = (wall.end - wall.start).normalized();
     const Eigen::Vector2d outwards = kSameM * Eigen::Vector2d(along.y(), -along.x());
     const Segment2 beside{wall.start + outwards, wall.end + outwards};
-    Interval interval;
+    PlanInterval interval;
     for (const PlanFunction& side : half_planes(other.walls))
       interval = clip(interval, beside, side);
     return interval;
@@ -152,7 +152,7 @@ class FaceCollector {
     std::vector<double> breaks{0.0, 1.0};
     for (const RoofPart* other : hiding) {
       heights.insert(heights.end(), other->tops.begin(), other->tops.end());
-      const Interval interval = hidden_interval(*other, wall);
+      const PlanInterval interval = hidden_interval(*other, wall);
       breaks.insert(breaks.end(), {interval.begin, interval.end});
     }
     heights.push_back({Eigen::Vector2d::Zero(), part.base_z_m});
@@ -185,7 +185,7 @@ class FaceCollector {
   static bool extend(const RoofPart& part,
                      const Segment2& wall,
                      const std::vector<const RoofPart*>& hiding,
-                     const Interval& piece,
+                     const PlanInterval& piece,
                      WallProfile& profile) {
     const auto at = [&](double t) -> Eigen::Vector2d {
       return (1.0 - t) * wall.start + t * wall.end;
@@ -194,7 +194,7 @@ class FaceCollector {
     const auto foot = [&](double t) {
       double z = part.base_z_m;
       for (const RoofPart* other : hiding) {
-        const Interval hidden = hidden_interval(*other, wall);
+        const PlanInterval hidden = hidden_interval(*other, wall);
         if (!hidden.empty() && hidden.begin < middle && middle < hidden.end)
           z = std::max(z, top_of(*other, at(t)));
       }
@@ -237,14 +237,14 @@ class FaceCollector {
   }
 
   std::span<const RoofPart> parts_;
-  std::span<const RoofFace> roof_faces_;
+  std::span<const PartFace> roof_faces_;
   std::vector<SceneFace> faces_;
 };
 
 }  // namespace
 
 std::vector<SceneFace> true_faces(std::span<const RoofPart> parts,
-                                  std::span<const RoofFace> roof_faces) {
+                                  std::span<const PartFace> roof_faces) {
   return FaceCollector(parts, roof_faces).collect();
 }
 

@@ -15,6 +15,6 @@ namespace ridgeline::simulate {
 /// once. Party walls between two buildings are whole on both sides. Faces do not close where roofs
 /// overhang.
 std::vector<SceneFace> true_faces(std::span<const RoofPart> parts,
-                                  std::span<const RoofFace> roof_faces);
+                                  std::span<const PartFace> roof_faces);
 
 }  // namespace ridgeline::simulate

@@ -17,9 +17,9 @@ constexpr double kCorridorM = 1.5;
 constexpr double kOnPlaneM = 0.15;  // more than four standard deviations of the default noise
 
 /// Points by square cells of the plan, so that a corridor is found without a look at all of them.
-class PointGrid {
+class ReturnGrid {
  public:
-  PointGrid(const std::vector<io::CloudPoint>& points, const Eigen::Vector2d& extent_m)
+  ReturnGrid(const std::vector<io::CloudPoint>& points, const Eigen::Vector2d& extent_m)
       : points_(points),
         columns_(1 + static_cast<int>(extent_m.x() / kCellM)),
         rows_(1 + static_cast<int>(extent_m.y() / kCellM)),
@@ -74,7 +74,7 @@ double visible_share(const RayScene& rays, const Segment3& segment) {
   return static_cast<double>(visible) / samples;
 }
 
-int returns_on(const ScenePlane& plane, const Segment3& line, const PointGrid& grid) {
+int returns_on(const ScenePlane& plane, const Segment3& line, const ReturnGrid& grid) {
   ConvexPolygon outline;
   for (const Eigen::Vector3d& corner : plane.outline) outline.emplace_back(corner.head<2>());
   int count = 0;
@@ -93,7 +93,7 @@ std::vector<TruthLine> observe_lines(const Scene& scene, const io::PointCloud& c
         "observe_lines: cloud.frame.origin_m = ", cloud.frame.origin_m.transpose(),
         ", must be that of the scene, ", scene.frame.origin_m.transpose());
   const RayScene rays(scene.mesh);
-  const PointGrid grid(cloud.points, scene.extent_m);
+  const ReturnGrid grid(cloud.points, scene.extent_m);
   std::vector<TruthLine> result(scene.lines.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, result.size()), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {

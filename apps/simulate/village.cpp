@@ -67,11 +67,11 @@ class VillageBuilder {
     const double reach_m = 0.5 * scene_.extent_m.norm();
     const int rows = static_cast<int>(std::ceil((reach_m - kHalfRowM) / (2.0 * kHalfRowM)));
     const int lots = static_cast<int>(std::ceil(reach_m / kLotSizeM));
-    Row previous;
+    TerrainRow previous;
     for (int r = -rows; r <= rows; ++r) {
       PlanFunction ground = scene_.mean_terrain;
       ground.offset += options_.terrace_step_m * static_cast<double>(r);
-      const Row row = terrain_.add_row(2.0 * kHalfRowM * r, kHalfRowM, ground);
+      const TerrainRow row = terrain_.add_row(2.0 * kHalfRowM * r, kHalfRowM, ground);
       if (r > -rows && options_.terrace_step_m > 0.0) {
         const double wall_v_m = row.street_v_m - kHalfRowM;
         terrain_.add_retaining_wall(previous, row, wall_v_m, scene_.extent_m.norm());
@@ -83,7 +83,7 @@ class VillageBuilder {
   }
 
  private:
-  void add_lot_pair(const Row& row, int r, int i) {
+  void add_lot_pair(const TerrainRow& row, int r, int i) {
     const double begin_u = kLotSizeM * i;
     terrain_.add_street(row, begin_u, begin_u + kLotSizeM);
     for (const int side : {-1, 1}) {
@@ -99,7 +99,10 @@ class VillageBuilder {
   }
 
   /// The foot and the upper edge, lot by lot.
-  void add_retaining_wall_lines(const Row& low, const Row& high, double v_m, int lots) {
+  void add_retaining_wall_lines(const TerrainRow& low,
+                                const TerrainRow& high,
+                                double v_m,
+                                int lots) {
     for (int i = -lots; i < lots; ++i) {
       const Eigen::Vector2d begin(kLotSizeM * i, v_m);
       const Eigen::Vector2d end(kLotSizeM * (i + 1), v_m);
@@ -108,7 +111,10 @@ class VillageBuilder {
     }
   }
 
-  void add_lot(const Row& row, const Eigen::Vector2d& low_uv, Random& random, Random& clutter) {
+  void add_lot(const TerrainRow& row,
+               const Eigen::Vector2d& low_uv,
+               Random& random,
+               Random& clutter) {
     const Eigen::Vector2d high_uv = low_uv + Eigen::Vector2d::Constant(kLotSizeM);
     const Eigen::Vector2d centre = terrain_.local(0.5 * (low_uv + high_uv));
     const bool inside = (centre.array() >= kHouseRadiusM).all() &&
@@ -135,7 +141,7 @@ class VillageBuilder {
               options_.with_objects, trees, clutter, scene_);
   }
 
-  void add_random_house(const Row& row,
+  void add_random_house(const TerrainRow& row,
                         const Eigen::Vector2d& centre,
                         Random& random,
                         Random& clutter) {
@@ -160,7 +166,7 @@ class VillageBuilder {
   }
 
   /// Gives the places of the trunks.
-  std::vector<Eigen::Vector2d> add_trees(const Row& row,
+  std::vector<Eigen::Vector2d> add_trees(const TerrainRow& row,
                                          const Eigen::Vector2d& low_uv,
                                          std::size_t first_building,
                                          Random& random) {
@@ -207,7 +213,7 @@ class VillageBuilder {
     return true;
   }
 
-  void add_cars(const Row& row, const Eigen::Vector2d& low_uv, Random& random) {
+  void add_cars(const TerrainRow& row, const Eigen::Vector2d& low_uv, Random& random) {
     constexpr double kBayM = 2.5;
     for (int bay = 0; bay < 8; ++bay) {
       if (!random.chance(0.5)) continue;
@@ -219,7 +225,7 @@ class VillageBuilder {
     }
   }
 
-  void add_fence(const Row& row, const Eigen::Vector2d& low_uv) {
+  void add_fence(const TerrainRow& row, const Eigen::Vector2d& low_uv) {
     constexpr double kThicknessM = 0.1;
     constexpr double kHeightM = 1.2;
     constexpr double kPanelM = 2.0;

@@ -20,9 +20,9 @@ bool is_seen(const SurfaceOracle& oracle,
 }
 
 /// The intervals after gaps shorter than `longest_gap` are closed.
-std::vector<Interval> closed(const std::vector<Interval>& intervals, double longest_gap) {
-  std::vector<Interval> result;
-  for (const Interval& interval : intervals) {
+std::vector<PlanInterval> closed(const std::vector<PlanInterval>& intervals, double longest_gap) {
+  std::vector<PlanInterval> result;
+  for (const PlanInterval& interval : intervals) {
     if (!result.empty() && interval.begin - result.back().end < longest_gap) {
       result.back().end = interval.end;
     } else {
@@ -37,22 +37,22 @@ std::vector<Interval> closed(const std::vector<Interval>& intervals, double long
 Segment2 image_of(const SurfaceOracle& oracle,
                   std::size_t view,
                   const Segment3& edge,
-                  const Interval& part) {
+                  const PlanInterval& part) {
   return {oracle.pixel_of(view, point_at(edge, part.begin)),
           oracle.pixel_of(view, point_at(edge, part.end))};
 }
 
-std::vector<Interval> visible_runs(const SurfaceOracle& oracle,
-                                   std::size_t view,
-                                   const Segment3& edge,
-                                   const ReferenceOptions& options) {
+std::vector<PlanInterval> visible_runs(const SurfaceOracle& oracle,
+                                       std::size_t view,
+                                       const Segment3& edge,
+                                       const VisibilityOptions& options) {
   const Segment2 image = image_of(oracle, view, edge, {});
   if (length(image) < options.shortest_px) return {};
   const Eigen::Vector2d side_px = options.flank_px * normal(image);
   const int samples = 1 + static_cast<int>(length(edge) / options.step_m);
-  std::vector<Interval> runs;
+  std::vector<PlanInterval> runs;
   for (int i = 0; i < samples; ++i) {
-    const Interval step{static_cast<double>(i) / samples, static_cast<double>(i + 1) / samples};
+    const PlanInterval step{static_cast<double>(i) / samples, static_cast<double>(i + 1) / samples};
     const Eigen::Vector3d middle = point_at(edge, 0.5 * (step.begin + step.end));
     if (!is_seen(oracle, view, middle, side_px)) continue;
     if (!runs.empty() && runs.back().end == step.begin) {
@@ -64,15 +64,15 @@ std::vector<Interval> visible_runs(const SurfaceOracle& oracle,
   return closed(runs, options.longest_gap_m / length(edge));
 }
 
-double total_length(const std::vector<Interval>& runs) {
+double total_length(const std::vector<PlanInterval>& runs) {
   double sum = 0.0;
-  for (const Interval& run : runs) sum += run.end - run.begin;
+  for (const PlanInterval& run : runs) sum += run.end - run.begin;
   return sum;
 }
 
 std::vector<std::vector<double>> visible_shares(const Scene& scene,
                                                 const SurfaceOracle& oracle,
-                                                const ReferenceOptions& options) {
+                                                const VisibilityOptions& options) {
   std::vector<std::vector<double>> shares(scene.lines.size());
   tbb::parallel_for(std::size_t{0}, shares.size(), [&](std::size_t i) {
     for (std::size_t view = 0; view < oracle.num_views(); ++view) {

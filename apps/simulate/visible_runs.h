@@ -9,7 +9,7 @@
 namespace ridgeline::simulate {
 
 /// Which edges the truth of the images holds.
-struct ReferenceOptions {
+struct VisibilityOptions {
   double step_m = 0.1;           ///< distance of the lines of sight along an edge
   double longest_gap_m = 0.5;    ///< shorter interruptions are closed
   double shortest_px = 10.0;     ///< least length of the visible part in each image
@@ -21,22 +21,22 @@ struct ReferenceOptions {
 Segment2 image_of(const SurfaceOracle& oracle,
                   std::size_t view,
                   const Segment3& edge,
-                  const Interval& part);
+                  const PlanInterval& part);
 
 /// Runs of an edge, as parameters of its segment, where one view sees it: nothing lies before it
 /// and the surfaces on its two sides are not the same.
-std::vector<Interval> visible_runs(const SurfaceOracle& oracle,
-                                   std::size_t view,
-                                   const Segment3& edge,
-                                   const ReferenceOptions& options);
+std::vector<PlanInterval> visible_runs(const SurfaceOracle& oracle,
+                                       std::size_t view,
+                                       const Segment3& edge,
+                                       const VisibilityOptions& options);
 
 /// The share of an edge that its runs are.
-double total_length(const std::vector<Interval>& runs);
+double total_length(const std::vector<PlanInterval>& runs);
 
 /// How much of each true line each view sees: shares of its length by line, in order of
 /// Scene::lines, and view.
 std::vector<std::vector<double>> visible_shares(const Scene& scene,
                                                 const SurfaceOracle& oracle,
-                                                const ReferenceOptions& options = {});
+                                                const VisibilityOptions& options = {});
 
 }  // namespace ridgeline::simulate

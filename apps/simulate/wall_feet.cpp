@@ -32,8 +32,10 @@ PlanFunction lowered(PlanFunction height, double by_m) {
 
 /// Where the body of `part`, up to the underside of its roof, rises above `surface` along the
 /// segment.
-Interval rises_above(const RoofPart& part, const PlanFunction& surface, const Segment2& segment) {
-  Interval interval = clip({}, segment, lowered(surface, part.base_z_m));
+PlanInterval rises_above(const RoofPart& part,
+                         const PlanFunction& surface,
+                         const Segment2& segment) {
+  PlanInterval interval = clip({}, segment, lowered(surface, part.base_z_m));
   for (const PlanFunction& top : part.tops) {
     interval = clip(interval, segment, lowered(top, part.slab_thickness_m + kTouchingM) - surface);
   }
@@ -42,7 +44,7 @@ Interval rises_above(const RoofPart& part, const PlanFunction& surface, const Se
 
 class FootCollector {
  public:
-  FootCollector(std::span<const RoofPart> parts, std::span<const RoofFace> faces)
+  FootCollector(std::span<const RoofPart> parts, std::span<const PartFace> faces)
       : parts_(parts), faces_(faces) {}
 
   std::vector<SceneLine> collect(const GroundPlane& ground) {
@@ -50,18 +52,18 @@ class FootCollector {
       if (part.kind == PlaneKind::kChimney) continue;
       for (std::size_t side = 0; side < part.walls.size(); ++side) {
         const StandingWall wall(part, side);
-        add(wall, Interval{}, ground, kNone);
-        for (const RoofFace& face : faces_) add_on_roof(wall, face);
+        add(wall, PlanInterval{}, ground, kNone);
+        for (const PartFace& face : faces_) add_on_roof(wall, face);
       }
     }
     return std::move(lines_);
   }
 
  private:
-  void add_on_roof(const StandingWall& wall, const RoofFace& face) {
+  void add_on_roof(const StandingWall& wall, const PartFace& face) {
     const RoofPart& lower = parts_[static_cast<std::size_t>(face.part)];
     if (&lower == &wall.part || lower.kind == PlaneKind::kChimney) return;
-    Interval interval;
+    PlanInterval interval;
     for (const PlanFunction& side : half_planes(face.cell.corners)) {
       interval = clip(interval, wall.outside, side);
     }
@@ -70,24 +72,24 @@ class FootCollector {
 
   /// Adds the pieces of a wall's foot on a surface, that of the part `bearer` or the ground, where
   /// no other part stands.
-  void add(const StandingWall& wall, Interval within, const GroundPlane& surface, int bearer) {
-    const Interval high = rises_above(wall.part, surface.height, wall.foot);
+  void add(const StandingWall& wall, PlanInterval within, const GroundPlane& surface, int bearer) {
+    const PlanInterval high = rises_above(wall.part, surface.height, wall.foot);
     within = {std::max(within.begin, high.begin), std::min(within.end, high.end)};
     if (within.empty()) return;
-    std::vector<Interval> pieces{within};
+    std::vector<PlanInterval> pieces{within};
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       const RoofPart& other = parts_[p];
       if (&other == &wall.part || static_cast<int>(p) == bearer) continue;
-      Interval hidden = rises_above(other, surface.height, wall.outside);
+      PlanInterval hidden = rises_above(other, surface.height, wall.outside);
       for (const PlanFunction& side : half_planes(other.walls)) {
         hidden = clip(hidden, wall.outside, side);
       }
       pieces = subtract(pieces, hidden);
     }
-    for (const Interval& piece : pieces) add_line(wall, piece, surface);
+    for (const PlanInterval& piece : pieces) add_line(wall, piece, surface);
   }
 
-  void add_line(const StandingWall& wall, const Interval& piece, const GroundPlane& surface) {
+  void add_line(const StandingWall& wall, const PlanInterval& piece, const GroundPlane& surface) {
     const auto at = [&](double t) -> Eigen::Vector3d {
       const Eigen::Vector2d x = (1.0 - t) * wall.foot.start + t * wall.foot.end;
       return {x.x(), x.y(), surface.height(x)};
@@ -101,14 +103,14 @@ class FootCollector {
   }
 
   std::span<const RoofPart> parts_;
-  std::span<const RoofFace> faces_;
+  std::span<const PartFace> faces_;
   std::vector<SceneLine> lines_;
 };
 
 }  // namespace
 
 std::vector<SceneLine> wall_feet(std::span<const RoofPart> parts,
-                                 std::span<const RoofFace> faces,
+                                 std::span<const PartFace> faces,
                                  const GroundPlane& ground) {
   return FootCollector(parts, faces).collect(ground);
 }

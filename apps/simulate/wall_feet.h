@@ -18,7 +18,7 @@ struct GroundPlane {
 /// on the lower surface. Overhanging roofs do not cut them off. Chimneys give none; pieces below
 /// 0.5 m are left out. `faces`: roof_faces() of the parts.
 std::vector<SceneLine> wall_feet(std::span<const RoofPart> parts,
-                                 std::span<const RoofFace> faces,
+                                 std::span<const PartFace> faces,
                                  const GroundPlane& ground);
 
 }  // namespace ridgeline::simulate

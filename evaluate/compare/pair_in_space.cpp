@@ -45,26 +45,26 @@ std::optional<double> gap_m(const Segment3& a, const Segment3& b) {
 }
 
 /// Two segments that may be a pair.
-struct Candidate {
+struct PossiblePair {
   std::size_t a, b;
   double gap_m;
 };
 
 /// Candidates that share segments, directly or by others, together; in the order of their first
 /// ones.
-std::vector<std::vector<Candidate>> groups_of(const std::vector<Candidate>& candidates,
-                                              std::size_t n_a,
-                                              std::size_t n_b) {
+std::vector<std::vector<PossiblePair>> groups_of(const std::vector<PossiblePair>& candidates,
+                                                 std::size_t n_a,
+                                                 std::size_t n_b) {
   std::vector<std::size_t> parent(n_a + n_b);
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   const auto root = [&](std::size_t i) {
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
     return i;
   };
-  for (const Candidate& c : candidates) parent[root(c.a)] = root(n_a + c.b);
+  for (const PossiblePair& c : candidates) parent[root(c.a)] = root(n_a + c.b);
   std::map<std::size_t, std::size_t> group_of;
-  std::vector<std::vector<Candidate>> groups;
-  for (const Candidate& c : candidates) {
+  std::vector<std::vector<PossiblePair>> groups;
+  for (const PossiblePair& c : candidates) {
     const auto [group, is_new] = group_of.try_emplace(root(c.a), groups.size());
     if (is_new) groups.emplace_back();
     groups[group->second].push_back(c);
@@ -117,11 +117,11 @@ std::vector<std::size_t> cheapest_columns(const Eigen::MatrixXd& costs) {
 }
 
 /// The closest ones of a group first, each segment once.
-std::vector<std::pair<std::size_t, std::size_t>> nearest_first(std::vector<Candidate> group) {
-  std::ranges::sort(group, {}, [](const Candidate& c) { return std::tuple(c.gap_m, c.a, c.b); });
+std::vector<std::pair<std::size_t, std::size_t>> nearest_first(std::vector<PossiblePair> group) {
+  std::ranges::sort(group, {}, [](const PossiblePair& c) { return std::tuple(c.gap_m, c.a, c.b); });
   std::set<std::size_t> taken_a, taken_b;
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  for (const Candidate& c : group) {
+  for (const PossiblePair& c : group) {
     if (taken_a.contains(c.a) || taken_b.contains(c.b)) continue;
     taken_a.insert(c.a);
     taken_b.insert(c.b);
@@ -132,10 +132,11 @@ std::vector<std::pair<std::size_t, std::size_t>> nearest_first(std::vector<Candi
 
 /// The pairs of a group with the smallest sum of gaps, where a segment of a without a partner
 /// counts kMaxPairDistance_m.
-std::vector<std::pair<std::size_t, std::size_t>> assignment(const std::vector<Candidate>& group) {
+std::vector<std::pair<std::size_t, std::size_t>> assignment(
+    const std::vector<PossiblePair>& group) {
   if (group.size() == 1) return {{group[0].a, group[0].b}};
   std::map<std::size_t, Eigen::Index> rows, columns;
-  for (const Candidate& c : group) {
+  for (const PossiblePair& c : group) {
     rows.try_emplace(c.a, static_cast<Eigen::Index>(rows.size()));
     columns.try_emplace(c.b, static_cast<Eigen::Index>(columns.size()));
   }
@@ -146,7 +147,7 @@ std::vector<std::pair<std::size_t, std::size_t>> assignment(const std::vector<Ca
   constexpr double kNever = 1e6;
   Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(n, m + n, kNever);
   costs.rightCols(n).setConstant(kMaxPairDistance_m);
-  for (const Candidate& c : group) costs(rows[c.a], columns[c.b]) = c.gap_m;
+  for (const PossiblePair& c : group) costs(rows[c.a], columns[c.b]) = c.gap_m;
   const std::vector<std::size_t> chosen = cheapest_columns(costs);
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (const auto& [a, row] : rows) {
@@ -164,15 +165,15 @@ Eigen::AlignedBox2d plan_box(const Segment3& s) { return plan_box_of(std::array{
 
 std::vector<std::pair<std::size_t, std::size_t>> pair_in_space(std::span<const Segment3> a,
                                                                std::span<const Segment3> b) {
-  const BoxIndex index(transformed(b, plan_box));
-  std::vector<Candidate> candidates;
+  const BoxIndex2 index(transformed(b, plan_box));
+  std::vector<PossiblePair> candidates;
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (const std::size_t k : index.near(plan_box(a[i]), kMaxPairDistance_m)) {
       if (const std::optional<double> gap = gap_m(a[i], b[k])) candidates.push_back({i, k, *gap});
     }
   }
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  for (const std::vector<Candidate>& group : groups_of(candidates, a.size(), b.size())) {
+  for (const std::vector<PossiblePair>& group : groups_of(candidates, a.size(), b.size())) {
     std::ranges::copy(assignment(group), std::back_inserter(pairs));
   }
   std::ranges::sort(pairs);

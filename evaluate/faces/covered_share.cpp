@@ -12,9 +12,9 @@ namespace ridgeline::evaluate {
 namespace {
 
 /// Places on a square grid over a box, each in the middle of its cell.
-class Places {
+class CellMiddles {
  public:
-  Places(const Eigen::AlignedBox2d& box, double step_m) : lowest_(box.min()), step_m_(step_m) {
+  CellMiddles(const Eigen::AlignedBox2d& box, double step_m) : lowest_(box.min()), step_m_(step_m) {
     columns_ = static_cast<int>(box.sizes().x() / step_m) + 1;
     rows_ = static_cast<int>(box.sizes().y() / step_m) + 1;
     covered_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
@@ -68,7 +68,7 @@ double covered_share(const PlanPolygon& polygon,
   constexpr double kMaxPlaces = 1e5;
   if (points.empty() || polygon.edges().empty()) return 0.0;
   const double coarsest_m = std::sqrt(polygon.box().sizes().prod() / kMaxPlaces);
-  Places places(polygon.box(), std::max(0.5 * radius_m, coarsest_m));
+  CellMiddles places(polygon.box(), std::max(0.5 * radius_m, coarsest_m));
   for (const Eigen::Vector2d& x : points) places.cover(x, radius_m);
   return places.covered_share_in(polygon);
 }

@@ -19,20 +19,20 @@ namespace {
 constexpr double kTouching_m = 0.05;  // of edges that models give as one
 
 /// Where a face lies from one of its level edges.
-enum class Side : std::uint8_t { kBelow, kAbove, kBeside };
+enum class EdgeSide : std::uint8_t { kBelow, kAbove, kBeside };
 
 struct LevelEdge {
   std::size_t face;
   Segment3 segment;
-  Side side;
+  EdgeSide side;
 };
 
-Side side_of(const RoofFace& face, const Segment3& edge, bool counter_clockwise) {
-  if (slope_rad(face.plane) < kLevelRoof_rad) return Side::kBeside;
+EdgeSide side_of(const RoofFace& face, const Segment3& edge, bool counter_clockwise) {
+  if (slope_rad(face.plane) < kLevelRoof_rad) return EdgeSide::kBeside;
   const Eigen::Vector3d along = edge.end - edge.start;
   const double sign = counter_clockwise ? 1.0 : -1.0;
   const Eigen::Vector2d inwards(-sign * along.y(), sign * along.x());
-  return inwards.dot(face.plane.normal().head<2>()) > 0.0 ? Side::kBelow : Side::kAbove;
+  return inwards.dot(face.plane.normal().head<2>()) > 0.0 ? EdgeSide::kBelow : EdgeSide::kAbove;
 }
 
 /// The level edges of all faces' outer rings.
@@ -71,7 +71,7 @@ class Partners {
 
  private:
   const std::vector<LevelEdge>& edges_;
-  BoxIndex index_;
+  BoxIndex2 index_;
 };
 
 /// How high the edge lies above the line in which two planes meet; nothing for planes that are
@@ -113,11 +113,11 @@ EdgeHeights edge_heights(std::span<const RoofFace> faces,
     const Eigen::Vector3d middle = midpoint(edge.segment);
     const double above_plane_m = middle.z() - height_at(plane, middle.head<2>());
     const LevelEdge* partner = partners.of(edge);
-    if (edge.side != Side::kBelow) {
+    if (edge.side != EdgeSide::kBelow) {
       if (!partner) eave.add(above_plane_m, length(edge.segment));
       continue;
     }
-    if (partner && partner->side != Side::kBelow) continue;  // the kink of a mansard
+    if (partner && partner->side != EdgeSide::kBelow) continue;  // the kink of a mansard
     std::optional<double> above_m;
     if (partner && is_judged(partner->face)) {
       above_m = above_intersection_m(edge, plane, evaluations[partner->face].fit.plane);

@@ -24,11 +24,11 @@ std::vector<const RoofFace*> all_faces(std::span<const RoofBuilding> buildings) 
   return faces;
 }
 
-BoxIndex index_of(const std::vector<const RoofFace*>& faces) {
+BoxIndex2 index_of(const std::vector<const RoofFace*>& faces) {
   std::vector<Eigen::AlignedBox2d> boxes;
   boxes.reserve(faces.size());
   for (const RoofFace* face : faces) boxes.push_back(face->plan.box());
-  return BoxIndex(std::move(boxes));
+  return BoxIndex2(std::move(boxes));
 }
 
 /// The faces within reach of each one, with the planes found for them.
@@ -55,7 +55,7 @@ class Neighbours {
 
  private:
   const std::vector<const RoofFace*>& faces_;
-  BoxIndex index_;
+  BoxIndex2 index_;
   double reach_m_;
   std::vector<std::optional<PlaneFit>> fits_;
 };

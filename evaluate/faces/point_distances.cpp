@@ -27,9 +27,10 @@ constexpr double kFarBelow_m = 1.5;
 constexpr std::uint8_t kUnclassified = 1, kGroundClass = 2;
 
 /// A flat face in space, vertical ones too.
-class Surface {
+class FaceSurface {
  public:
-  explicit Surface(const RoofFace& face) : plane_(face.plane), origin_(face.rings.front().front()) {
+  explicit FaceSurface(const RoofFace& face)
+      : plane_(face.plane), origin_(face.rings.front().front()) {
     axes_.col(0) = plane_.normal().unitOrthogonal();
     axes_.col(1) = plane_.normal().cross(axes_.col(0));
     std::vector<std::vector<Eigen::Vector3d>> rings = face.rings;
@@ -104,7 +105,7 @@ class BuildingSurfaces {
 
   /// Distance of a point from the nearest surface, or `nearest_m` if it is larger.
   [[nodiscard]] double to_surface_m(const Eigen::Vector3d& x, double nearest_m) const {
-    for (const Surface& surface : surfaces_) nearest_m = surface.distance_m(x, nearest_m);
+    for (const FaceSurface& surface : surfaces_) nearest_m = surface.distance_m(x, nearest_m);
     return nearest_m;
   }
 
@@ -133,7 +134,7 @@ class BuildingSurfaces {
   }
 
   std::vector<const RoofFace*> roofs_;  // that are not degenerate
-  std::vector<Surface> surfaces_;       // roofs first
+  std::vector<FaceSurface> surfaces_;   // roofs first
   double lowest_m_ = std::numeric_limits<double>::infinity();
 };
 
@@ -220,7 +221,7 @@ std::vector<PointDistances> point_distances(const PointSearch& search,
                                             std::span<const std::uint8_t> classes) {
   std::vector<BuildingSurfaces> surfaces;
   for (const RoofBuilding& building : buildings) surfaces.emplace_back(building);
-  const BoxIndex index(transformed(surfaces, [](const auto& building) { return building.box(); }));
+  const BoxIndex2 index(transformed(surfaces, [](const auto& building) { return building.box(); }));
   std::vector<PointDistances> distances(buildings.size());
   tbb::parallel_for(std::size_t{0}, buildings.size(), [&](std::size_t i) {
     Interruption::check();

@@ -15,7 +15,7 @@ Eigen::Vector2d direction_of(const Segment2& segment) {
 
 }  // namespace
 
-BallCover::Steps BallCover::Steps::over(double from_m, double to_m, double longest_m) {
+BallCover::CoverSteps BallCover::CoverSteps::over(double from_m, double to_m, double longest_m) {
   // a bird a kilometre up must not make thousands of empty balls
   constexpr double kMaxSteps = 256.0;
   if (to_m < from_m) return {};
@@ -25,16 +25,16 @@ BallCover::Steps BallCover::Steps::over(double from_m, double to_m, double longe
   return {from_m, (to_m - from_m) / count, count};
 }
 
-int BallCover::Steps::at(double x_m) const {
+int BallCover::CoverSteps::at(double x_m) const {
   if (!(step_m > 0.0)) return 0;
   return static_cast<int>(std::clamp((x_m - from_m) / step_m, 0.0, count - 1.0));
 }
 
 /// The part of the corridor that lies beside the extent, in steps.
-BallCover::Steps BallCover::steps_along(const Segment2& segment,
-                                        const Eigen::Vector2d& direction,
-                                        double radius_m,
-                                        const Eigen::AlignedBox3d& extent) {
+BallCover::CoverSteps BallCover::steps_along(const Segment2& segment,
+                                             const Eigen::Vector2d& direction,
+                                             double radius_m,
+                                             const Eigen::AlignedBox3d& extent) {
   const Eigen::Vector2d across(-direction.y(), direction.x());
   // the extent is taken a radius larger, so that rounding loses no point at the border
   const Eigen::Vector2d half = 0.5 * extent.sizes().head<2>().array() + radius_m;
@@ -42,16 +42,16 @@ BallCover::Steps BallCover::steps_along(const Segment2& segment,
   const double reach_m = direction.cwiseAbs().dot(half);
   if (std::abs(across.dot(centre)) > across.cwiseAbs().dot(half) + radius_m) return {};
   const double s_m = direction.dot(centre);
-  return Steps::over(std::max(-radius_m, s_m - reach_m),
-                     std::min(length(segment) + radius_m, s_m + reach_m), 2.0 * radius_m);
+  return CoverSteps::over(std::max(-radius_m, s_m - reach_m),
+                          std::min(length(segment) + radius_m, s_m + reach_m), 2.0 * radius_m);
 }
 
 BallCover::BallCover(const Segment2& segment, double radius_m, const Eigen::AlignedBox3d& extent)
     : start_(segment.start),
       direction_(direction_of(segment)),
-      along_(extent.isEmpty() ? Steps{} : steps_along(segment, direction_, radius_m, extent)),
-      up_(extent.isEmpty() ? Steps{}
-                           : Steps::over(extent.min().z(), extent.max().z(), 2.0 * radius_m)),
+      along_(extent.isEmpty() ? CoverSteps{} : steps_along(segment, direction_, radius_m, extent)),
+      up_(extent.isEmpty() ? CoverSteps{}
+                           : CoverSteps::over(extent.min().z(), extent.max().z(), 2.0 * radius_m)),
       ball_radius_m_(0.5 * Eigen::Vector3d(along_.step_m, 2.0 * radius_m, up_.step_m).norm()) {}
 
 Ball BallCover::ball(int i) const {

@@ -29,20 +29,20 @@ class BallCover {
 
  private:
   /// A range in equal steps; it has no steps by default.
-  struct Steps {
+  struct CoverSteps {
     /// As few steps as possible that are not longer than `longest_m`; longer ones if these would be
     /// very many.
-    static Steps over(double from_m, double to_m, double longest_m);
+    static CoverSteps over(double from_m, double to_m, double longest_m);
     [[nodiscard]] double centre(int i) const { return from_m + (i + 0.5) * step_m; }
     [[nodiscard]] int at(double x_m) const;
     double from_m = 0.0, step_m = 0.0;
     int count = 0;
   };
 
-  static Steps steps_along(const Segment2& segment,
-                           const Eigen::Vector2d& direction,
-                           double radius_m,
-                           const Eigen::AlignedBox3d& extent);
+  static CoverSteps steps_along(const Segment2& segment,
+                                const Eigen::Vector2d& direction,
+                                double radius_m,
+                                const Eigen::AlignedBox3d& extent);
 
   Eigen::Vector2d start_;
   Eigen::Vector2d direction_;

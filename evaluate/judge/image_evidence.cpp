@@ -21,12 +21,12 @@ Segment3 at_height(const ImageEvidence& images, double z_m) {
 }
 
 /// A ray's way through the range of heights: its position in plan at each height.
-struct Ray {
+struct ImageRay {
   Eigen::Vector2d at_zero, per_metre;
   [[nodiscard]] Eigen::Vector2d at(double z_m) const { return at_zero + z_m * per_metre; }
 };
 
-Ray ray_of(const ImageEvidence& images, const Eigen::Vector2d& x_px) {
+ImageRay ray_of(const ImageEvidence& images, const Eigen::Vector2d& x_px) {
   const auto [low, high] = images.height_range_m;
   const Eigen::Vector2d x_low = at_height(images, x_px, low).head<2>();
   const Eigen::Vector2d x_high = at_height(images, x_px, high).head<2>();
@@ -46,20 +46,20 @@ double search_radius_m(const PointSearch& search, const Eigen::Vector2d& x) {
 }
 
 /// Height of the surface at a share `s` of the segment.
-struct Sample {
+struct HeightSample {
   double s, z_m;
 };
 
 /// The heights at which rays through `n_samples` points of the base segment first meet the cloud
 /// from above. Each is the height of the highest point within `radius_m` of the ray.
-std::vector<Sample> first_hits(const PointSearch& search,
-                               const ImageEvidence& images,
-                               int n_samples,
-                               double radius_m) {
+std::vector<HeightSample> first_hits(const PointSearch& search,
+                                     const ImageEvidence& images,
+                                     int n_samples,
+                                     double radius_m) {
   const Segment2& base = images.base().px;
   const auto [low, high] = images.height_range_m;
   const auto share = [&](int i) { return (i + 0.5) / n_samples; };
-  std::vector<Ray> rays;
+  std::vector<ImageRay> rays;
   rays.reserve(static_cast<std::size_t>(n_samples));
   for (int i = 0; i < n_samples; ++i) {
     rays.push_back(ray_of(images, base.start + share(i) * (base.end - base.start)));
@@ -81,7 +81,7 @@ std::vector<Sample> first_hits(const PointSearch& search,
   for (const Segment2& segment : plan_sweep(images, radius_m)) {
     search.visit_near(segment, reach_m, meet);
   }
-  std::vector<Sample> hits;
+  std::vector<HeightSample> hits;
   for (int i = 0; i < n_samples; ++i) {
     if (std::isfinite(highest_m[i])) hits.push_back({share(i), highest_m[i]});
   }
@@ -93,25 +93,26 @@ struct HeightLine {
   [[nodiscard]] double at(double s) const { return z0_m + s * slope_m; }
 };
 
-std::vector<Sample> agreeing(const std::vector<Sample>& samples, const HeightLine& line) {
+std::vector<HeightSample> agreeing(const std::vector<HeightSample>& samples,
+                                   const HeightLine& line) {
   constexpr double kAgree_m = 0.3;  // rise of the steepest roof over half a search radius
-  std::vector<Sample> kept;
-  for (const Sample& sample : samples) {
+  std::vector<HeightSample> kept;
+  for (const HeightSample& sample : samples) {
     if (std::abs(sample.z_m - line.at(sample.s)) <= kAgree_m) kept.push_back(sample);
   }
   return kept;
 }
 
-HeightLine regression(const std::vector<Sample>& samples) {
+HeightLine regression(const std::vector<HeightSample>& samples) {
   double mean_s = 0.0;
   double mean_z = 0.0;
-  for (const Sample& p : samples) {
+  for (const HeightSample& p : samples) {
     mean_s += p.s / static_cast<double>(samples.size());
     mean_z += p.z_m / static_cast<double>(samples.size());
   }
   double ss = 0.0;
   double sz = 0.0;
-  for (const Sample& p : samples) {
+  for (const HeightSample& p : samples) {
     ss += (p.s - mean_s) * (p.s - mean_s);
     sz += (p.s - mean_s) * (p.z_m - mean_z);
   }
@@ -120,16 +121,17 @@ HeightLine regression(const std::vector<Sample>& samples) {
 }
 
 /// The samples that agree with a line through two of them, for the line that most agree with.
-std::vector<Sample> consensus(const std::vector<Sample>& samples) {
+std::vector<HeightSample> consensus(const std::vector<HeightSample>& samples) {
   // of the segment: closer samples say nothing of its slope
   constexpr double kMinSeparation = 0.25;
-  std::vector<Sample> best;
+  std::vector<HeightSample> best;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     for (std::size_t k = i + 1; k < samples.size(); ++k) {
       const double ds = samples[k].s - samples[i].s;
       if (ds < kMinSeparation) continue;
       const double slope = (samples[k].z_m - samples[i].z_m) / ds;
-      std::vector<Sample> kept = agreeing(samples, {samples[i].z_m - slope * samples[i].s, slope});
+      std::vector<HeightSample> kept =
+          agreeing(samples, {samples[i].z_m - slope * samples[i].s, slope});
       if (kept.size() > best.size()) best = std::move(kept);
     }
   }
@@ -174,7 +176,8 @@ std::optional<Segment3> monoplot(const PointSearch& search, const ImageEvidence&
   if (!all_finite(midway)) return std::nullopt;
   const int n_samples = std::clamp(static_cast<int>(length(midway) / kSpacing_m), 4, 40);
   const double radius_m = search_radius_m(search, midpoint(plan(midway)));
-  const std::vector<Sample> inliers = consensus(first_hits(search, images, n_samples, radius_m));
+  const std::vector<HeightSample> inliers =
+      consensus(first_hits(search, images, n_samples, radius_m));
   if (static_cast<double>(inliers.size()) < kMinShare * n_samples) return std::nullopt;
   const HeightLine line = regression(inliers);
   const Segment2& base = images.base().px;

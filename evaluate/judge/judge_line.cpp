@@ -9,13 +9,13 @@
 #include "evaluate/judge/plane_sigma.h"
 #include "evaluate/judge/ridge_displacement.h"
 #include "evaluate/judge/surface_decision.h"
+#include "reconstruct/geometry/degrees.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <sstream>
 
@@ -107,8 +107,7 @@ void compare_with_intersection(LineEvaluation& e, const Segment3& segment) {
                                     -e.planes[1].plane.signedDistance(x), 0.0);
   e.intersection_distance_m = to_line.norm();
   e.intersection_angle_deg =
-      acute_angle_rad(direction, Eigen::Vector3d(segment.end - segment.start)) * 180.0 /
-      std::numbers::pi;
+      acute_angle_rad(direction, Eigen::Vector3d(segment.end - segment.start)) / kRadPerDeg;
 }
 
 std::vector<std::uint32_t> sorted_indices(std::span<const ZonePoint> points) {
@@ -142,18 +141,18 @@ std::vector<Eigen::Vector2d> hull_in_plan(std::span<const ZonePoint> points) {
 }
 
 /// What the cloud holds around an edge, and which planes judge it.
-struct Surroundings {
+struct LineSurroundings {
   Footprint footprint;
   std::vector<ZonePoint> zone;
   std::vector<CandidatePlane> candidates;
   SurfaceDecision decision;
 };
 
-Surroundings surroundings(const PointSearch& search,
-                          const JudgedLine& line,
-                          const Footprint& footprint,
-                          const JudgeOptions& options) {
-  Surroundings around{
+LineSurroundings surroundings(const PointSearch& search,
+                              const JudgedLine& line,
+                              const Footprint& footprint,
+                              const JudgeOptions& options) {
+  LineSurroundings around{
       footprint,
       points_beside(search, footprint, options.fit_half_width_m, options.fit_half_width_m),
       {},
@@ -171,16 +170,16 @@ Surroundings surroundings(const PointSearch& search,
 /// points. The line itself is the footprint if there is no image, if the rays meet no surface, or
 /// if the line is known to lie on no surface there, which a ray may pass by between two points of
 /// the cloud.
-Surroundings surroundings(const PointSearch& search,
-                          const JudgedLine& line,
-                          const JudgeOptions& options) {
+LineSurroundings surroundings(const PointSearch& search,
+                              const JudgedLine& line,
+                              const JudgeOptions& options) {
   const std::optional<Segment3> seen = line.images ? monoplot(search, *line.images) : std::nullopt;
-  Surroundings around =
+  LineSurroundings around =
       surroundings(search, line, footprint_of(seen ? *seen : line.segment), options);
   const bool is_on_surface =
       around.decision.status == Status::kEvaluated && !around.decision.is_far;
   if (!seen || is_on_surface) return around;
-  Surroundings own = surroundings(search, line, footprint_of(line.segment), options);
+  LineSurroundings own = surroundings(search, line, footprint_of(line.segment), options);
   return own.decision.surface && !own.decision.is_far ? std::move(own) : std::move(around);
 }
 
@@ -238,7 +237,7 @@ JudgedResult judge_line(const PointSearch& search,
   if (const auto refusal = refusal_of(line, options)) {
     return ended(std::move(e), refusal->status, refusal->reason);
   }
-  Surroundings around = surroundings(search, line, options);
+  LineSurroundings around = surroundings(search, line, options);
   auto& [footprint, zone, candidates, decision] = around;
   const std::size_t n_beside = count_in_corridor(zone, footprint, options);
   if (n_beside < static_cast<std::size_t>(options.min_points)) {

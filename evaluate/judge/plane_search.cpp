@@ -2,6 +2,8 @@
 #include "evaluate/judge/plane_search.h"
 
 #include "evaluate/judge/quiet_pcl.h"
+#include "reconstruct/geometry/degrees.h"
+#include "reconstruct/geometry/splitmix64.h"
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -14,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -26,22 +27,12 @@ using Model = pcl::SampleConsensusModel<pcl::PointXYZ>;
 using PlaneModel = pcl::SampleConsensusModelPlane<pcl::PointXYZ>;
 using NormalPlaneModel = pcl::SampleConsensusModelNormalPlane<pcl::PointXYZ, pcl::Normal>;
 
-/// The next number of splitmix64, whose sequence is the same everywhere, unlike the standard
-/// distributions.
-std::uint64_t next_random(std::uint64_t& state) {
-  state += 0x9e3779b97f4a7c15ULL;
-  std::uint64_t z = state;
-  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
-  return z ^ (z >> 31U);
-}
-
 /// Puts the points into an order that has nothing to do with their places, but depends on nothing
 /// else: the samples of neighbouring points would be alike otherwise.
 void scatter(std::vector<ZonePoint>& points) {
-  std::uint64_t key = 1;
+  SplitMix64 random(1);
   for (std::size_t i = points.size(); i > 1; --i) {
-    std::swap(points[i - 1], points[next_random(key) % i]);
+    std::swap(points[i - 1], points[random.next() % i]);
   }
 }
 
@@ -164,7 +155,7 @@ std::vector<FoundPlane> search_planes(std::span<const ZonePoint> side,
                                       const PointNormals& normals) {
   const QuietPcl quiet;
   constexpr std::size_t kMaxPlanes = 6;  // two roofs, a dormer, ground and two walls
-  const double steepest_rad = options.max_slope_deg * std::numbers::pi / 180.0;
+  const double steepest_rad = options.max_slope_deg * kRadPerDeg;
   std::vector<ZonePoint> rest(side.begin(), side.end());
   std::vector<FoundPlane> planes;
   for (std::size_t trial = 0; trial < kMaxPlanes; ++trial) {

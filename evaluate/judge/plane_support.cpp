@@ -2,6 +2,7 @@
 #include "evaluate/judge/plane_support.h"
 
 #include "evaluate/judge/plan_hull.h"
+#include "reconstruct/geometry/median.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
@@ -18,9 +19,7 @@ double median_distance(std::span<const ZonePoint> points, const Plane3& plane) {
   std::vector<double> distances;
   distances.reserve(points.size());
   for (const ZonePoint& p : points) distances.push_back(plane.absDistance(p.x));
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return upper_median(std::move(distances));
 }
 
 }  // namespace

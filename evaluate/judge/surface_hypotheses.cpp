@@ -3,6 +3,7 @@
 
 #include "evaluate/judge/plane_meeting.h"
 #include "reconstruct/geometry/degrees.h"
+#include "reconstruct/geometry/median.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,13 +52,6 @@ class Stretches {
   std::size_t n_;
 };
 
-double median_of(std::vector<double> values) {
-  if (values.empty()) return -HUGE_VAL;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// By how much the plane goes on beyond the line, on the side with fewer of its points; negative if
 /// it ends before it.
 double beyond_line_m(const CandidatePlane& plane, const Reach& reach) {
@@ -68,7 +62,7 @@ double beyond_line_m(const CandidatePlane& plane, const Reach& reach) {
     if (reach.lowest_t[i] > reach.highest_t[i]) continue;
     beyond.push_back(more_left > 0 ? -reach.lowest_t[i] : reach.highest_t[i]);
   }
-  return median_of(std::move(beyond));
+  return beyond.empty() ? -HUGE_VAL : upper_median(std::move(beyond));
 }
 
 /// A candidate with what its place in plan and height is to the line and to the other candidates.

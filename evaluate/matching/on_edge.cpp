@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/matching/on_edge.h"
 
+#include "reconstruct/geometry/degrees.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -34,7 +36,7 @@ std::optional<Beside> lies_on(const Segment2& segment,
   const double edge_length = along.norm();
   if (!(edge_length > 0.0) || !(length(segment) > 0.0)) return std::nullopt;
   const Eigen::Vector2d direction = segment.end - segment.start;
-  if (acute_angle_rad(direction, along) > options.max_angle_deg * M_PI / 180.0) {
+  if (acute_angle_rad(direction, along) > options.max_angle_deg * kRadPerDeg) {
     return std::nullopt;
   }
   const auto parameter = [&](const Eigen::Vector2d& x) {

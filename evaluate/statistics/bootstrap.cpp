@@ -5,6 +5,7 @@
 #include "evaluate/statistics/distribution.h"
 #include "evaluate/statistics/random.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/disjoint_sets.h"
 #include "reconstruct/geometry/interruption.h"
 #include "reconstruct/geometry/transformed.h"
 
@@ -78,21 +79,6 @@ Interval bca_shares(std::span<const double> values,
   return {share(0.5 * (1.0 - level)), share(0.5 * (1.0 + level))};
 }
 
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(std::size_t a, std::size_t b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 }  // namespace
 
 std::vector<std::size_t> dense_labels(std::span<const std::size_t> labels) {
@@ -113,16 +99,16 @@ std::vector<std::size_t> cluster_labels(std::span<const LineEvaluation> lines) {
   std::map<std::uint64_t, std::size_t> first_of_plane;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!lines[i].building.empty()) {
-      sets.unite(i, first_of_building.try_emplace(lines[i].building, i).first->second);
+      sets.join(i, first_of_building.try_emplace(lines[i].building, i).first->second);
       continue;
     }
     for (const JudgingPlane& plane : lines[i].planes) {
       if (plane.id == 0) continue;
-      sets.unite(i, first_of_plane.try_emplace(plane.id, i).first->second);
+      sets.join(i, first_of_plane.try_emplace(plane.id, i).first->second);
     }
   }
   std::vector<std::size_t> roots(lines.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) roots[i] = sets.find(i);
+  for (std::size_t i = 0; i < lines.size(); ++i) roots[i] = sets.name_of(i);
   return dense_labels(roots);
 }
 
@@ -148,11 +134,11 @@ std::optional<Interval> bootstrap_rms(std::span<const double> errors,
         clusters.size(), " cluster labels");
   const std::vector<std::size_t> dense = dense_labels(clusters);
   const std::size_t n_clusters = count_clusters(dense);
-  struct Cluster {
+  struct ErrorCluster {
     double n = 0.0, squares = 0.0;
-    auto operator<=>(const Cluster&) const = default;
+    auto operator<=>(const ErrorCluster&) const = default;
   };
-  std::vector<Cluster> sums(n_clusters);
+  std::vector<ErrorCluster> sums(n_clusters);
   for (std::size_t i = 0; i < errors.size(); ++i) {
     sums[dense[i]].n += 1.0;
     sums[dense[i]].squares += errors[i] * errors[i];

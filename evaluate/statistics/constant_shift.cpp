@@ -5,13 +5,13 @@
 #include "evaluate/statistics/bootstrap.h"
 #include "evaluate/statistics/distribution.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/degrees.h"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -68,7 +68,7 @@ Basis levelled(Basis basis) {
 }
 
 Basis basis_of(const std::vector<Equation>& rows) {
-  constexpr double kNormalError_rad = std::numbers::pi / 180.0;
+  constexpr double kNormalError_rad = 1.0 * kRadPerDeg;
   constexpr double kMaxPull = 0.1;  // of the estimate to 0, by errors of the normals
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (const Equation& row : rows) scatter += row.normal * row.normal.transpose();
@@ -249,7 +249,7 @@ ShiftAxis axis_of(const ConstantShift& shift, int axis) {
 }
 
 std::string_view direction_name(const Plane3& plane) {
-  constexpr double kFlat_rad = 10.0 * std::numbers::pi / 180.0;
+  constexpr double kFlat_rad = 10.0 * kRadPerDeg;
   if (slope_rad(plane) < kFlat_rad) return "flat";
   const Eigen::Vector3d n = plane.normal();
   if (std::abs(n.y()) >= std::abs(n.x())) return n.y() > 0.0 ? "north" : "south";

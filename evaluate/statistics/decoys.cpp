@@ -124,13 +124,13 @@ std::vector<Movable> drawn(std::span<const JudgedLine> lines,
   return all;
 }
 
-struct Way {
+struct ShiftWay {
   DecoyKind kind;
   double distance_m;  ///< with a sign
 };
 
-std::vector<Way> ways_of(const JudgedLine& line) {
-  std::vector<Way> ways;
+std::vector<ShiftWay> ways_of(const JudgedLine& line) {
+  std::vector<ShiftWay> ways;
   for (const DecoyKind kind : kDecoyKinds) {
     if (kind == DecoyKind::kMatch && !line.images) continue;
     for (const double distance_m : kDecoyDistances_m) {
@@ -202,7 +202,7 @@ std::vector<Decoy> make_decoys(std::span<const JudgedLine> lines,
   std::vector<Decoy> decoys;
   for (std::size_t p = 0; p < parents.size(); ++p) {
     const auto [key, number] = parents[p];
-    const std::vector<Way> ways = ways_of(lines[number]);
+    const std::vector<ShiftWay> ways = ways_of(lines[number]);
     const std::size_t first = KeyedRandom(key, 0).below(ways.size());
     const std::size_t n_moves = n_decoys / parents.size() + (p < n_decoys % parents.size() ? 1 : 0);
     for (std::size_t i = 0; i < std::min(n_moves, ways.size()); ++i) {

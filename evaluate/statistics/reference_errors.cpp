@@ -3,8 +3,9 @@
 
 #include "evaluate/statistics/distribution.h"
 #include "evaluate/statistics/parameter_intervals.h"
-#include "evaluate/statistics/segment_tree.h"
 #include "evaluate/statistics/summary.h"
+#include "reconstruct/geometry/box_index.h"
+#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/Cholesky>
@@ -15,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 namespace ridgeline::evaluate {
 namespace {
@@ -42,7 +42,7 @@ double distance_in_image(const Segment2& segment_px, const Segment2& reference_p
 struct ReferenceImage {
   ProjectionMatrix image_from_local;
   std::vector<Segment2> lines_px;
-  SegmentTree<Segment2> by_place;
+  BoxIndex2 by_place;
 };
 
 ReferenceImage reference_image(const ProjectionMatrix& image_from_local,
@@ -51,7 +51,7 @@ ReferenceImage reference_image(const ProjectionMatrix& image_from_local,
   for (const ReferenceLine& r : references) {
     lines_px.push_back(project(image_from_local, r.segment));
   }
-  SegmentTree<Segment2> by_place(lines_px);
+  BoxIndex2 by_place(lines_px);
   return {image_from_local, std::move(lines_px), std::move(by_place)};
 }
 
@@ -243,13 +243,13 @@ ReferenceErrors errors_of(std::span<const JudgedLine> lines,
 
 bool is_reconstructed(const Segment3& reference,
                       std::span<const Segment3> lines,
-                      const SegmentTree<Segment3>& lines_by_place,
+                      const BoxIndex3& lines_by_place,
                       const ReferenceOptions& options) {
   const Eigen::Vector3d direction = reference.end - reference.start;
   std::vector<ParameterInterval> covered;
   for (const std::size_t i : lines_by_place.near(reference, options.tolerance_m)) {
     const Eigen::Vector3d other = lines[i].end - lines[i].start;
-    if (acute_angle_rad(direction, other) > options.max_angle_deg * std::numbers::pi / 180.0) {
+    if (acute_angle_rad(direction, other) > options.max_angle_deg * kRadPerDeg) {
       continue;
     }
     const auto part = part_near(reference, lines[i], options.tolerance_m);
@@ -265,7 +265,7 @@ std::vector<ReferenceCompleteness> completeness_of(std::span<const JudgedLine> l
   for (const JudgedLine& line : lines) {
     if (has_geometry(line)) reconstructed.push_back(line.segment);
   }
-  const SegmentTree<Segment3> by_place(reconstructed);
+  const BoxIndex3 by_place(reconstructed);
   std::vector<char> found(references.size(), 0);
   tbb::parallel_for(std::size_t{0}, references.size(), [&](std::size_t r) {
     found[r] = is_reconstructed(references[r].segment, reconstructed, by_place, options) ? 1 : 0;

@@ -3,6 +3,7 @@
 
 #include "evaluate/statistics/distribution.h"
 #include "evaluate/statistics/image_count.h"
+#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <optional>
 
@@ -20,7 +20,7 @@ namespace {
 /// Index of a line's bin; empty if the line lacks the property.
 using BinOf = std::function<std::optional<std::size_t>(const LineEvaluation&)>;
 
-struct Property {
+struct LineProperty {
   std::string name;
   std::vector<std::string> labels;  ///< of the bins
   BinOf bin_of;
@@ -44,9 +44,10 @@ std::vector<std::string> bin_labels(const std::vector<double>& bounds) {
   return labels;
 }
 
-Property by_number(std::string name,
-                   const std::vector<double>& bounds,
-                   const std::function<std::optional<double>(const LineEvaluation&)>& value_of) {
+LineProperty by_number(
+    std::string name,
+    const std::vector<double>& bounds,
+    const std::function<std::optional<double>(const LineEvaluation&)>& value_of) {
   return {std::move(name), bin_labels(bounds),
           [bounds, value_of](const LineEvaluation& line) -> std::optional<std::size_t> {
             const std::optional<double> value = value_of(line);
@@ -54,7 +55,7 @@ Property by_number(std::string name,
           }};
 }
 
-Property by_kind() {
+LineProperty by_kind() {
   return {"kind", {"step", "ridge"}, [](const LineEvaluation& line) -> std::optional<std::size_t> {
             if (line.kind == Kind::kNone) return std::nullopt;
             return line.kind == Kind::kStep ? 0 : 1;
@@ -64,7 +65,7 @@ Property by_kind() {
 std::optional<double> steepest_slope_deg(const LineEvaluation& line) {
   std::optional<double> steepest;
   for (const JudgingPlane& p : line.planes) {
-    const double slope_deg = slope_rad(p.plane) * 180.0 / std::numbers::pi;
+    const double slope_deg = slope_rad(p.plane) / kRadPerDeg;
     steepest = std::max(steepest.value_or(0.0), slope_deg);
   }
   return steepest;
@@ -72,7 +73,7 @@ std::optional<double> steepest_slope_deg(const LineEvaluation& line) {
 
 /// The lines by the quartiles of their predicted sigma, which are those of this evaluation's own
 /// lines.
-Property by_sigma(const Evaluation& evaluation) {
+LineProperty by_sigma(const Evaluation& evaluation) {
   std::vector<double> sigmas_m;
   for (const LineEvaluation& line : evaluation.lines) {
     if (line.sigma_line_m) sigmas_m.push_back(*line.sigma_line_m);
@@ -82,13 +83,13 @@ Property by_sigma(const Evaluation& evaluation) {
     bounds.push_back(quantile(sigmas_m, share).value_or(0.0));
   }
   bounds.push_back(std::numeric_limits<double>::infinity());
-  Property property = by_number("sigma_line_quartile", bounds,
-                                [](const LineEvaluation& line) { return line.sigma_line_m; });
+  LineProperty property = by_number("sigma_line_quartile", bounds,
+                                    [](const LineEvaluation& line) { return line.sigma_line_m; });
   property.labels = {"1", "2", "3", "4"};
   return property;
 }
 
-Property by_images() {
+LineProperty by_images() {
   std::vector<std::string> labels;
   for (std::size_t group = 0; group < kNumImageGroups; ++group)
     labels.push_back(image_group_name(group));
@@ -96,7 +97,7 @@ Property by_images() {
           [](const LineEvaluation& line) { return image_group(line.n_images); }};
 }
 
-Property by_decision() {
+LineProperty by_decision() {
   return {"decided_by",
           transformed(kDecidedGroups, [](DecidedGroup group) { return std::string(name(group)); }),
           [](const LineEvaluation& line) -> std::optional<std::size_t> {
@@ -111,9 +112,9 @@ bool is_of_place(const LineEvaluation& line) {
 
 bool is_of_many_images(const LineEvaluation& line) { return line.n_images.value_or(0) > 2; }
 
-std::vector<Property> properties(const Evaluation& evaluation) {
+std::vector<LineProperty> properties(const Evaluation& evaluation) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  std::vector<Property> result{
+  std::vector<LineProperty> result{
       by_number("epipolar_angle_deg", {0.0, 2.0, 5.0, 10.0, 20.0, 45.0, 90.0},
                 [](const LineEvaluation& line) { return line.epipolar_angle_deg; }),
       by_kind(),
@@ -126,7 +127,7 @@ std::vector<Property> properties(const Evaluation& evaluation) {
   return result;
 }
 
-Stratification stratify_by(const Property& property,
+Stratification stratify_by(const LineProperty& property,
                            const Evaluation& evaluation,
                            const std::vector<std::size_t>& clusters,
                            const Summary& total) {
@@ -158,7 +159,7 @@ std::vector<Stratification> stratify(const Evaluation& evaluation) {
   std::iota(all.begin(), all.end(), std::size_t{0});
   const Summary total =
       summarize(evaluation.lines, clusters, all, std::string(kTotal), evaluation.options);
-  return transformed(properties(evaluation), [&](const Property& property) {
+  return transformed(properties(evaluation), [&](const LineProperty& property) {
     return stratify_by(property, evaluation, clusters, total);
   });
 }

@@ -15,7 +15,7 @@ namespace ridgeline::evaluate {
 namespace {
 
 /// The figures of the evaluated members, as columns of equal length.
-struct Sample {
+struct EvaluatedSample {
   std::vector<double> errors, signed_errors, lengths;
   std::vector<std::size_t> clusters;
   std::vector<std::string> ids;
@@ -25,11 +25,11 @@ bool counts(const LineEvaluation& line, std::optional<DecidedGroup> group) {
   return line.status == Status::kEvaluated && (!group || decided_group(line) == *group);
 }
 
-Sample evaluated_sample(std::span<const LineEvaluation> lines,
-                        std::span<const std::size_t> clusters,
-                        std::span<const std::size_t> members,
-                        std::optional<DecidedGroup> group) {
-  Sample sample;
+EvaluatedSample evaluated_sample(std::span<const LineEvaluation> lines,
+                                 std::span<const std::size_t> clusters,
+                                 std::span<const std::size_t> members,
+                                 std::optional<DecidedGroup> group) {
+  EvaluatedSample sample;
   for (const std::size_t i : members) {
     const LineEvaluation& line = lines[i];
     if (!counts(line, group)) continue;
@@ -81,7 +81,7 @@ void describe_signed(const std::vector<double>& values, Summary& summary) {
   summary.std_m = std::sqrt(squares.value() / (n - 1.0));
 }
 
-std::optional<double> length_weighted_rms(const Sample& sample) {
+std::optional<double> length_weighted_rms(const EvaluatedSample& sample) {
   CompensatedSum squares;
   CompensatedSum weights;
   for (std::size_t i = 0; i < sample.errors.size(); ++i) {
@@ -115,7 +115,9 @@ void describe_half_of_squares(std::vector<double> errors, Summary& summary) {
   if (other != errors.end()) summary.rms_without_half_m = root_mean_square({other, errors.end()});
 }
 
-void describe_errors(const Sample& sample, const SummaryOptions& options, Summary& summary) {
+void describe_errors(const EvaluatedSample& sample,
+                     const SummaryOptions& options,
+                     Summary& summary) {
   const std::vector<double>& errors = sample.errors;
   const auto n = static_cast<double>(errors.size());
   summary.rms_m = std::sqrt(summary.sum_squares_m2 / n);
@@ -236,7 +238,7 @@ Summary summarize(std::span<const LineEvaluation> lines,
   Summary summary;
   summary.line_class = std::move(line_class);
   count(lines, members, group, summary);
-  const Sample sample = evaluated_sample(lines, clusters, members, group);
+  const EvaluatedSample sample = evaluated_sample(lines, clusters, members, group);
   summary.n_evaluated = sample.errors.size();
   summary.sum_squares_m2 = sum_of_squares(sample.errors);
   summary.n_clusters = count_clusters(sample.clusters);

@@ -3,14 +3,14 @@
 
 #include "evaluate/statistics/distribution.h"
 #include "evaluate/statistics/parameter_intervals.h"
-#include "evaluate/statistics/segment_tree.h"
+#include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/degrees.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ridgeline::evaluate {
 namespace {
@@ -51,8 +51,8 @@ std::vector<std::vector<Nearness>> nearness_of_all(std::span<const Segment3> seg
                                             std::vector<Nearness>(segments.size()));
   if (tolerances_m.empty()) return result;
   const double reach_m = *std::max_element(tolerances_m.begin(), tolerances_m.end());
-  const double max_angle_rad = options.max_angle_deg * std::numbers::pi / 180.0;
-  const SegmentTree<Segment3> tree(others);
+  const double max_angle_rad = options.max_angle_deg * kRadPerDeg;
+  const BoxIndex3 tree(others);
   tbb::parallel_for(std::size_t{0}, segments.size(), [&](std::size_t i) {
     const std::vector<std::size_t> candidates = tree.near(segments[i], reach_m);
     for (std::size_t k = 0; k < tolerances_m.size(); ++k) {

@@ -69,26 +69,29 @@ Wireframe wireframe_of(std::span<const Segment3> segments) {
 }
 
 /// A corner and a true corner.
-struct Pair {
+struct CornerPair {
   double distance_m;
   std::size_t corner, true_corner;
 };
 
 /// All pairs up to a distance, nearest first.
-std::vector<Pair> pairs_within(const Wireframe& frame, const Wireframe& truth, double limit_m) {
+std::vector<CornerPair> pairs_within(const Wireframe& frame,
+                                     const Wireframe& truth,
+                                     double limit_m) {
   std::vector<Entry> entries;
   for (std::size_t i = 0; i < truth.corners.size(); ++i)
     entries.emplace_back(point_of(truth.corners[i]), i);
   const Tree tree(entries.begin(), entries.end());
-  std::vector<Pair> pairs;
+  std::vector<CornerPair> pairs;
   for (std::size_t i = 0; i < frame.corners.size(); ++i) {
     for_each_within(tree, frame.corners[i], limit_m, [&](std::size_t k) {
       const double distance_m = (frame.corners[i] - truth.corners[k]).norm();
       if (distance_m <= limit_m) pairs.push_back({distance_m, i, k});
     });
   }
-  std::ranges::sort(
-      pairs, {}, [](const Pair& p) { return std::tuple(p.distance_m, p.corner, p.true_corner); });
+  std::ranges::sort(pairs, {}, [](const CornerPair& p) {
+    return std::tuple(p.distance_m, p.corner, p.true_corner);
+  });
   return pairs;
 }
 
@@ -97,7 +100,7 @@ std::array<std::size_t, 2> ordered(std::size_t a, std::size_t b) {
 }
 
 WireframeScore score_at(double threshold_m,
-                        const std::vector<Pair>& pairs,
+                        const std::vector<CornerPair>& pairs,
                         const Wireframe& frame,
                         const Wireframe& truth) {
   WireframeScore score{
@@ -105,7 +108,7 @@ WireframeScore score_at(double threshold_m,
   std::map<std::size_t, std::size_t> true_of;
   std::set<std::size_t> taken;
   double sum_m = 0.0;
-  for (const Pair& pair : pairs) {
+  for (const CornerPair& pair : pairs) {
     if (pair.distance_m > threshold_m) break;
     if (true_of.contains(pair.corner) || taken.contains(pair.true_corner)) continue;
     true_of[pair.corner] = pair.true_corner;
@@ -148,7 +151,7 @@ std::vector<WireframeScore> wireframe_scores(std::span<const Segment3> lines,
                                              std::span<const Segment3> references) {
   const Wireframe frame = wireframe_of(lines);
   const Wireframe truth = wireframe_of(references);
-  const std::vector<Pair> pairs =
+  const std::vector<CornerPair> pairs =
       pairs_within(frame, truth, std::ranges::max(kWireframeThresholds_m));
   return transformed(kWireframeThresholds_m, [&](const double threshold_m) {
     return score_at(threshold_m, pairs, frame, truth);

@@ -7,25 +7,29 @@
 namespace ridgeline::evaluate {
 namespace {
 
-struct Range {
+struct CharacterRange {
   char32_t first, last;
 };
 
 constexpr char32_t kReplacement = 0xFFFD;
 
 /// The combining marks and joiners of Unicode that may occur in names.
-constexpr std::array kNoWidth{Range{0x0300, 0x036F}, Range{0x200B, 0x200F}, Range{0x20D0, 0x20FF},
-                              Range{0xFE00, 0xFE0F}, Range{0xFE20, 0xFE2F}};
+constexpr std::array kNoWidth{CharacterRange{0x0300, 0x036F}, CharacterRange{0x200B, 0x200F},
+                              CharacterRange{0x20D0, 0x20FF}, CharacterRange{0xFE00, 0xFE0F},
+                              CharacterRange{0xFE20, 0xFE2F}};
 
 /// The characters of East Asian Width W and F (Unicode Standard Annex 11), by blocks.
 constexpr std::array kDoubleWidth{
-    Range{0x1100, 0x115F},   Range{0x2E80, 0x303E},  Range{0x3041, 0xA4CF}, Range{0xAC00, 0xD7A3},
-    Range{0xF900, 0xFAFF},   Range{0xFE30, 0xFE6F},  Range{0xFF00, 0xFF60}, Range{0xFFE0, 0xFFE6},
-    Range{0x1F300, 0x1FAFF}, Range{0x20000, 0x3FFFD}};
+    CharacterRange{0x1100, 0x115F},   CharacterRange{0x2E80, 0x303E},
+    CharacterRange{0x3041, 0xA4CF},   CharacterRange{0xAC00, 0xD7A3},
+    CharacterRange{0xF900, 0xFAFF},   CharacterRange{0xFE30, 0xFE6F},
+    CharacterRange{0xFF00, 0xFF60},   CharacterRange{0xFFE0, 0xFFE6},
+    CharacterRange{0x1F300, 0x1FAFF}, CharacterRange{0x20000, 0x3FFFD}};
 
 template <std::size_t N>
-bool is_in(const std::array<Range, N>& ranges, char32_t c) {
-  return std::ranges::any_of(ranges, [c](const Range& r) { return r.first <= c && c <= r.last; });
+bool is_in(const std::array<CharacterRange, N>& ranges, char32_t c) {
+  return std::ranges::any_of(ranges,
+                             [c](const CharacterRange& r) { return r.first <= c && c <= r.last; });
 }
 
 bool is_control(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0); }

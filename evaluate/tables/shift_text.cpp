@@ -2,6 +2,7 @@
 #include "evaluate/tables/shift_text.h"
 
 #include "evaluate/tables/format.h"
+#include "reconstruct/geometry/degrees.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace ridgeline::evaluate {
@@ -37,7 +37,7 @@ std::string oblique_text(const ConstantShift& shift) {
     const Eigen::Vector3d& untold = shift.untold[0];
     Eigen::Vector3d told = Eigen::Vector3d(-untold.y(), untold.x(), 0.0).normalized();
     if (told.x() < 0.0) told = -told;
-    const double azimuth_deg = std::atan2(told.x(), told.y()) * 180.0 / std::numbers::pi;
+    const double azimuth_deg = std::atan2(told.x(), told.y()) / kRadPerDeg;
     return fmt::format("towards azimuth {:.0f} degrees {}", azimuth_deg, along_text(shift, told));
   }
   if (z.shift_m || shift.untold.size() == 3) return "";

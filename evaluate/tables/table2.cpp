@@ -51,7 +51,7 @@ std::string published_form_markdown(const Table2& table) {
     }
   }
   TextTable written(columns);
-  for (const Table2Layout::Row& row : layout.rows) {
+  for (const Table2Layout::LayoutRow& row : layout.rows) {
     std::vector<std::string> cells{row.patch};
     for (const Summary* cell : row.cells) cells.push_back(headline_text(cell));
     written.add_row(std::move(cells));
@@ -156,7 +156,7 @@ Table2Layout lay_out(const Table2& table) {
   if (has_classes(table)) layout.classes = {std::string(kNotAligned), std::string(kAligned)};
   layout.classes.emplace_back(kTotal);
   for (const std::string& patch : patches) {
-    Table2Layout::Row row{patch, {}};
+    Table2Layout::LayoutRow row{patch, {}};
     for (const std::string& method : layout.methods) {
       for (const std::string& line_class : layout.classes) {
         row.cells.push_back(find_cell(table, patch, method, line_class));
@@ -262,7 +262,7 @@ std::string to_latex(const Table2& table) {
       "% {}\n{}\\begin{{tabular}}{{l{}}}\n\\toprule\n{} \\\\\n{} \\\\\n\\midrule\n",
       groups_note(table), kFixedSentence, footnote_line(table, "% "),
       std::string(layout.methods.size() * n_classes, 'r'), methods, classes);
-  for (const Table2Layout::Row& row : layout.rows) {
+  for (const Table2Layout::LayoutRow& row : layout.rows) {
     text += escape_latex(row.patch);
     for (const Summary* cell : row.cells) text += " & " + headline_text(cell);
     text += " \\\\\n";

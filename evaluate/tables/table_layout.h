@@ -10,13 +10,13 @@ namespace ridgeline::evaluate {
 
 /// The published layout of Table 2: a row per patch, a group of columns per method.
 struct Table2Layout {
-  struct Row {
+  struct LayoutRow {
     std::string patch;
     std::vector<const Summary*> cells;  ///< methods x classes; nullptr for a cell without figures
   };
   std::vector<std::string> methods;
   std::vector<std::string> classes;  ///< not_aligned, aligned, total; or total alone
-  std::vector<Row> rows;
+  std::vector<LayoutRow> rows;
 };
 
 /// The layout of a table, with patches and methods in order of first appearance. It points into

@@ -47,7 +47,7 @@ std::string TextTable::markdown() const {
 std::string TextTable::markdown_head() const {
   std::string head = "|";
   std::string rule = "|";
-  for (const Column& column : columns_) {
+  for (const ColumnLayout& column : columns_) {
     head += " " + escape_markdown(column.title) + " |";
     rule += column.is_right ? "--:|" : "---|";
   }
@@ -66,12 +66,13 @@ std::string TextTable::markdown_row(std::size_t row) const {
 /// figure.
 bool TextTable::has_figures(std::size_t column) const {
   if (columns_[column].part == 0 || rows_.empty()) return true;
-  return std::ranges::any_of(rows_, [&](const Row& row) { return row.cells[column] != kNoValue; });
+  return std::ranges::any_of(rows_,
+                             [&](const TextRow& row) { return row.cells[column] != kNoValue; });
 }
 
 std::size_t TextTable::width_of(std::size_t column) const {
   std::size_t width = display_width(printable(columns_[column].title));
-  for (const Row& row : rows_) {
+  for (const TextRow& row : rows_) {
     width = std::max(width, display_width(printable(row.cells[column])));
   }
   return width;

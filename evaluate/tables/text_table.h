@@ -51,12 +51,12 @@ class TextTable {
   [[nodiscard]] std::string markdown_row(std::size_t row) const;
 
  private:
-  struct Column {
+  struct ColumnLayout {
     std::string title;
     bool is_right = false;
     std::size_t part = 0;  ///< 0 for a key, else the place of its group in `parts`, from 1
   };
-  struct Row {
+  struct TextRow {
     std::vector<std::string> cells;
     std::string note;
   };
@@ -68,8 +68,8 @@ class TextTable {
   [[nodiscard]] std::size_t width_of(std::size_t column) const;
   [[nodiscard]] std::string block(const std::vector<std::size_t>& columns) const;
 
-  std::vector<Column> columns_;
-  std::vector<Row> rows_;
+  std::vector<ColumnLayout> columns_;
+  std::vector<TextRow> rows_;
 };
 
 /// A table below its caption.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cloud/cloud_origin.h"
 
+#include "reconstruct/geometry/median.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,20 +37,14 @@ std::array<std::vector<double>, 3> sample(const CloudSource& source,
   return coordinates;
 }
 
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
 
 std::optional<LocalFrame> origin_of(const CloudSource& source, const Eigen::Vector3d& unit_m) {
-  std::array<std::vector<double>, 3> coordinates = sample(source, unit_m);
+  const std::array<std::vector<double>, 3> coordinates = sample(source, unit_m);
   if (coordinates[0].empty()) return std::nullopt;
   LocalFrame frame;
   for (int axis = 0; axis < 3; ++axis) {
-    const double centre = median(coordinates[static_cast<std::size_t>(axis)]);
+    const double centre = upper_median(coordinates[static_cast<std::size_t>(axis)]);
     // Adding 0 turns a rounded -0 into 0, which prints without a sign.
     frame.origin_m[axis] = kOriginGridM * std::round(centre / kOriginGridM) + 0.0;
   }

@@ -4,6 +4,7 @@
 #include "io/crs/grid_scale.h"
 #include "io/crs/proj_objects.h"
 #include "io/error.h"
+#include "reconstruct/geometry/degrees.h"
 
 #include <fmt/format.h>
 #include <proj_experimental.h>
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <numbers>
 #include <set>
 #include <utility>
 
@@ -33,9 +33,8 @@ proj::Object grid_shift(PJ_CONTEXT* context, const std::string& name) {
 
 /// The grid's value; nothing where it has none.
 std::optional<double> value_at(PJ* grid, double lon_deg, double lat_deg) {
-  constexpr double kRadians = std::numbers::pi / 180.0;
   const PJ_COORD out =
-      proj_trans(grid, PJ_FWD, proj_coord(lon_deg * kRadians, lat_deg * kRadians, 0.0, 0.0));
+      proj_trans(grid, PJ_FWD, proj_coord(lon_deg * kRadPerDeg, lat_deg * kRadPerDeg, 0.0, 0.0));
   if (!std::isfinite(out.xyz.z) || std::abs(out.xyz.z) > 1e4) return std::nullopt;
   return out.xyz.z;
 }

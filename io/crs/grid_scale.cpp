@@ -3,6 +3,7 @@
 
 #include "io/crs/proj_objects.h"
 #include "io/error.h"
+#include "reconstruct/geometry/degrees.h"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -11,15 +12,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string_view>
 
 namespace ridgeline::io {
 namespace {
 
 using proj::Object;
-
-constexpr double kRadians = std::numbers::pi / 180.0;
 
 struct Ellipsoid {
   double a_m = 6378137.0;
@@ -58,13 +56,13 @@ Eigen::Vector2d lonlat_deg(PJ* operation, const Eigen::Vector2d& x) {
 Eigen::Vector2d ground_m(const Eigen::Vector2d& difference_deg,
                          double lat_deg,
                          const Ellipsoid& ellipsoid) {
-  const double s = std::sin(lat_deg * kRadians);
+  const double s = std::sin(lat_deg * kRadPerDeg);
   const double w2 = 1.0 - ellipsoid.e2 * s * s;
   const double across_meridian_m = ellipsoid.a_m / std::sqrt(w2);
   const double along_meridian_m = across_meridian_m * (1.0 - ellipsoid.e2) / w2;
   const double east_deg = std::remainder(difference_deg.x(), 360.0);
-  return {across_meridian_m * std::cos(lat_deg * kRadians) * east_deg * kRadians,
-          along_meridian_m * difference_deg.y() * kRadians};
+  return {across_meridian_m * std::cos(lat_deg * kRadPerDeg) * east_deg * kRadPerDeg,
+          along_meridian_m * difference_deg.y() * kRadPerDeg};
 }
 
 bool holds_place(PJ_CONTEXT* context, const PJ* crs, double lon_deg, double lat_deg) {

@@ -9,11 +9,11 @@ namespace ridgeline::io {
 namespace {
 
 /// A turn is a transposition, or none, and then columns and rows that run backwards.
-struct Steps {
+struct TurnSteps {
   bool transposes, reverses_columns, reverses_rows;
 };
 
-Steps steps_of(ImageTurn turn) {
+TurnSteps steps_of(ImageTurn turn) {
   switch (turn) {
     case ImageTurn::kNone:
       return {false, false, false};
@@ -38,7 +38,7 @@ Steps steps_of(ImageTurn turn) {
 }  // namespace
 
 Window stored_window(const Window& window, ImageTurn turn, int stored_width, int stored_height) {
-  const Steps steps = steps_of(turn);
+  const TurnSteps steps = steps_of(turn);
   const int turned_width = steps.transposes ? stored_height : stored_width;
   const int turned_height = steps.transposes ? stored_width : stored_height;
   Window stored = window;
@@ -54,7 +54,7 @@ Window stored_window(const Window& window, ImageTurn turn, int stored_width, int
 cv::Mat turned(const cv::Mat& stored, ImageTurn turn) {
   constexpr int kColumns = 1;
   constexpr int kRows = 0;
-  const Steps steps = steps_of(turn);
+  const TurnSteps steps = steps_of(turn);
   cv::Mat image = stored;
   const auto replace_by = [&image](const auto& change) {
     cv::Mat changed;

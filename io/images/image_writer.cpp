@@ -65,7 +65,7 @@ CPLErr flush_pixels(GDALDataset& dataset) {
 
 }  // namespace
 
-struct TiffWriter::File {
+struct TiffWriter::OpenFile {
   std::string path;
   cv::Size size_px;
   int type = 0;
@@ -87,7 +87,7 @@ TiffWriter::TiffWriter(const std::string& path,
   check(size_px.width > 0 && size_px.height > 0, "TiffWriter: image is empty");
   check(known_depth && CV_MAT_CN(type) <= 4, "TiffWriter: OpenCV type ", type,
         ", must be 8 or 16 bit unsigned with 1 to 4 bands");
-  file_.reset(new File{path, size_px, type, layout, AtomicFile(path), nullptr, 0});
+  file_.reset(new OpenFile{path, size_px, type, layout, AtomicFile(path), nullptr, 0});
   const QuietGdal gdal;
   file_->dataset = create(file_->file.temporary_path(), size_px, type, layout);
   if (file_->dataset == nullptr) file_->fail(gdal);
@@ -99,7 +99,7 @@ TiffWriter::~TiffWriter() {
 }
 
 void TiffWriter::write_rows(const cv::Mat& rows) {
-  File& f = *file_;
+  OpenFile& f = *file_;
   const int end_row = f.next_row + rows.rows;
   check(rows.type() == f.type && rows.cols == f.size_px.width && end_row <= f.size_px.height,
         "write_rows: ", rows.rows, " rows of ", rows.cols, " pixels after row ", f.next_row,

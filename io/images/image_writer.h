@@ -41,8 +41,8 @@ class TiffWriter {
   void commit();
 
  private:
-  struct File;
-  std::unique_ptr<File> file_;
+  struct OpenFile;
+  std::unique_ptr<OpenFile> file_;
 };
 
 /// Writes an image in strips. `image`, errors: as TiffWriter.

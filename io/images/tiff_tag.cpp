@@ -45,13 +45,13 @@ int bytes_of_type(std::optional<std::uint64_t> type) {
 }
 
 /// Where the parts of a directory are.
-struct Layout {
+struct HeaderLayout {
   std::uint64_t first_offset;  ///< where the place of the first directory is stated
   int offset_bytes, count_bytes;
   std::uint64_t entry_bytes, value_in_entry;
 };
-constexpr Layout kClassic{4, 4, 2, 12, 8};
-constexpr Layout kBig{8, 8, 8, 20, 12};
+constexpr HeaderLayout kClassic{4, 4, 2, 12, 8};
+constexpr HeaderLayout kBig{8, 8, 8, 20, 12};
 
 }  // namespace
 
@@ -59,7 +59,7 @@ std::optional<std::uint64_t> tiff_tag(const std::string& path, int tag) {
   constexpr std::uint64_t kBigMagic = 43;
   constexpr std::uint64_t kMaxEntries = 4096;  // of a directory that is not damaged
   TiffBytes bytes(path);
-  const Layout& layout = bytes.number(2, 2) == kBigMagic ? kBig : kClassic;
+  const HeaderLayout& layout = bytes.number(2, 2) == kBigMagic ? kBig : kClassic;
   const auto directory = bytes.number(layout.first_offset, layout.offset_bytes);
   if (!directory) return std::nullopt;
   const auto n_entries = bytes.number(*directory, layout.count_bytes);

@@ -41,7 +41,7 @@ void append_distinct_edges(const Vertices& vertices,
 }
 
 /// The polygons as faces of one building.
-BuildingModel model_of(const Mesh& mesh) {
+BuildingModel model_of(const PolygonMesh& mesh) {
   BuildingModel model;
   for (const IndexList& polygon : mesh.polygons) {
     const auto place_of = [&](std::size_t i) { return mesh.vertices[i]; };
@@ -84,7 +84,7 @@ bool has_walls(const BuildingModel& model) {
 
 }  // namespace
 
-void append_mesh(const Mesh& mesh, LineSet& set) {
+void append_mesh(const PolygonMesh& mesh, LineSet& set) {
   BuildingModel model = model_of(mesh);
   if (!has_walls(model)) {
     set.format += ", edges of faces";

@@ -14,7 +14,7 @@ namespace ridgeline::io {
 using IndexList = std::vector<std::size_t>;
 
 /// A mesh of closed polygons.
-struct Mesh {
+struct PolygonMesh {
   Vertices vertices;
   std::vector<IndexList> polygons;
   std::vector<std::string> objects;  ///< for each polygon the name of its thing; empty without
@@ -26,6 +26,6 @@ struct Mesh {
 /// once, in the order of first occurrence. Edges are the same if their end points have equal
 /// coordinates, in either direction: many models repeat the vertices for each face. Edges of zero
 /// length are left out, they bound nothing.
-void append_mesh(const Mesh& mesh, LineSet& set);
+void append_mesh(const PolygonMesh& mesh, LineSet& set);
 
 }  // namespace ridgeline::io

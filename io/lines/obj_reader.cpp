@@ -3,6 +3,7 @@
 #include "io/lines/mesh_edges.h"
 #include "io/lines/readers.h"
 #include "io/text/text.h"
+#include "reconstruct/geometry/median.h"
 
 #include <fmt/format.h>
 
@@ -151,10 +152,7 @@ double median_length(const std::vector<Line>& lines) {
   for (const Line& line : lines) {
     if (all_finite(line.segment_in_world)) lengths.push_back(length(line.segment_in_world));
   }
-  if (lengths.empty()) return 0.0;
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
+  return lengths.empty() ? 0.0 : upper_median(std::move(lengths));
 }
 
 /// Drops segments that are not finite or far too long: ELSR leaves the failures of its
@@ -199,7 +197,7 @@ LineSet read_obj(const std::string& path, std::string_view content, bool vertex_
     append_polylines(obj.vertices, resolved(obj.lines, obj.vertices.size(), path), set);
     set.left_out.add(kinds::kFace, obj.faces.size());
   } else if (!obj.faces.empty()) {
-    Mesh mesh{obj.vertices, resolved(obj.faces, obj.vertices.size(), path), {}};
+    PolygonMesh mesh{obj.vertices, resolved(obj.faces, obj.vertices.size(), path), {}};
     const bool has_objects =
         std::ranges::any_of(obj.objects, [](const auto& o) { return !o.empty(); });
     if (has_objects) mesh.objects = obj.objects;

@@ -2,6 +2,8 @@
 #include "io/models/axis_order.h"
 
 #include "io/crs/proj_objects.h"
+#include "reconstruct/geometry/median.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
 
@@ -17,12 +19,8 @@ namespace {
 /// The median of one coordinate over the first vertices of the faces, which a few stray faces do
 /// not move.
 double median_of(const BuildingModel& model, int axis) {
-  std::vector<double> values;
-  values.reserve(model.faces.size());
-  for (const ModelFace& face : model.faces) values.push_back(face.rings[0][0][axis]);
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
+  return upper_median(transformed(
+      model.faces, [&](const ModelFace& face) { return double{face.rings[0][0][axis]}; }));
 }
 
 bool has_north_first(PJ_CONTEXT* context, const PJ* crs) {

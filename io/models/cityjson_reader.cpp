@@ -98,7 +98,7 @@ std::optional<int> depth_of_faces(const std::string& type) {
 }
 
 /// Vertices of a geometry, and where they are put.
-struct Placed {
+struct PlacedGeometry {
   const std::vector<Eigen::Vector3d>* vertices;
   Eigen::Affine3d world_from_vertices = Eigen::Affine3d::Identity();
 };
@@ -216,7 +216,7 @@ class ObjectReader {
     for (int i = 0; i < 16; ++i)
       matrix(i / 4, i % 4) =
           number_of(numbers[static_cast<std::size_t>(i)], where_ + ": transformationMatrix");
-    Placed placed{&template_vertices_};
+    PlacedGeometry placed{&template_vertices_};
     placed.world_from_vertices.matrix() = matrix;
     placed.world_from_vertices.pretranslate(vertices[at[0].get<std::size_t>()]);
     read_geometry(*geometry, lod, placed, building);
@@ -224,7 +224,7 @@ class ObjectReader {
 
   void read_geometry(const json& geometry,
                      const std::optional<std::string>& lod,
-                     const Placed& placed,
+                     const PlacedGeometry& placed,
                      std::size_t building) {
     const std::optional<int> depth = depth_of_faces(text_member(geometry, "type"));
     if (!depth) return model_.left_out.add(kNoSurface);
@@ -239,7 +239,7 @@ class ObjectReader {
   void read_faces(const json& boundaries,
                   const json* values,
                   int depth,
-                  const Placed& placed,
+                  const PlacedGeometry& placed,
                   std::size_t building) {
     if (!boundaries.is_array()) throw IoError(where_, "\"boundaries\" must be nested arrays");
     for (std::size_t i = 0; i < boundaries.size(); ++i) {
@@ -253,7 +253,10 @@ class ObjectReader {
     }
   }
 
-  void add_face(const json& rings, const json& value, const Placed& placed, std::size_t building) {
+  void add_face(const json& rings,
+                const json& value,
+                const PlacedGeometry& placed,
+                std::size_t building) {
     ModelFace face;
     face.building = building;
     if (value.is_number_unsigned() && surfaces_->is_array() &&
@@ -274,7 +277,7 @@ class ObjectReader {
   }
 
   /// None of fewer than three vertices, or if a vertex is not there.
-  std::optional<Ring> ring_of(const json& indices, const Placed& placed) {
+  std::optional<Ring> ring_of(const json& indices, const PlacedGeometry& placed) {
     if (!indices.is_array() || indices.size() < 3) return std::nullopt;
     if (indices.size() > vertices_left_)
       throw IoError(where_, "the file repeats its vertices or templates over and over");

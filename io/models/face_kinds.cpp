@@ -42,7 +42,7 @@ std::optional<Eigen::Vector3d> inner_point(const ModelFace& face, const Plane3& 
 
 void state_kinds(std::span<ModelFace> faces) {
   const auto planes = transformed(faces, [](const ModelFace& face) { return *plane_of(face); });
-  const auto by_place = BoxIndex(
+  const auto by_place = BoxIndex2(
       transformed(faces, [](const ModelFace& face) { return plan_box_of(face.rings.front()); }));
   std::vector<std::size_t> unknown;
   for (std::size_t i = 0; i < faces.size(); ++i) {

@@ -64,7 +64,7 @@ bool is_usable(const Eigen::Vector3d& x) {
 }
 
 /// An edge of a face, or a part of it without a node between its ends.
-struct Piece {
+struct SeamPiece {
   std::size_t from = 0, to = 0;
   std::vector<std::size_t> faces;  ///< ascending
 };
@@ -110,8 +110,8 @@ class Seams {
     std::vector<Eigen::AlignedBox2d> places;
     for (std::size_t node = 0; node < nodes_.size(); ++node)
       places.emplace_back(nodes_[node].head<2>());
-    const BoxIndex index(std::move(places));
-    for (const Piece& edge : edges_) {
+    const BoxIndex2 index(std::move(places));
+    for (const SeamPiece& edge : edges_) {
       const std::array ends{nodes_[edge.from], nodes_[edge.to]};
       std::vector<std::pair<double, std::size_t>> on_edge;
       for (const std::size_t node : index.near(plan_box_of(ends), kSame))
@@ -126,7 +126,7 @@ class Seams {
   }
 
   /// The parameter of a node that lies within an edge.
-  [[nodiscard]] std::optional<double> place_on(const Piece& edge, std::size_t node) const {
+  [[nodiscard]] std::optional<double> place_on(const SeamPiece& edge, std::size_t node) const {
     if (node == edge.from || node == edge.to) return std::nullopt;
     const Segment3 segment{nodes_[edge.from], nodes_[edge.to]};
     const double t = parameter_along(segment, nodes_[node]);
@@ -179,8 +179,8 @@ class Seams {
   }
 
   Nodes nodes_;
-  std::vector<Piece> edges_;
-  std::vector<Piece> pieces_;
+  std::vector<SeamPiece> edges_;
+  std::vector<SeamPiece> pieces_;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> piece_of_;
   std::unordered_map<std::size_t, std::vector<std::size_t>> at_node_;
   std::vector<bool> is_joined_;

@@ -6,6 +6,7 @@
 #include "io/orientation/readers.h"
 #include "io/orientation/xml_tree.h"
 #include "io/text/text.h"
+#include "reconstruct/geometry/degrees.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -98,7 +99,6 @@ InteriorOrientation photogroup_interior(const std::string& path, const XmlElemen
 /// Camera axes of the file from world.
 Eigen::Matrix3d rotation_of(const XmlElement& rotation) {
   if (rotation.child("Omega").exists()) {
-    constexpr double kRadPerDeg = 0.017453292519943295;
     // they make the matrix that would stand in their place, of the same camera axes
     return world_from_camera_axes(kRadPerDeg * rotation.number("Omega"),
                                   kRadPerDeg * rotation.number("Phi"),

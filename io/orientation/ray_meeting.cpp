@@ -13,15 +13,15 @@ namespace {
 
 /// A ray of an observation and the camera that it was observed with, in coordinates reduced to the
 /// middle of the block.
-struct Ray {
+struct ObservedRay {
   Eigen::Vector3d centre, direction;
   Eigen::Vector2d ideal_px;
   ProjectionMatrix image_from_local;
 };
 
-std::optional<Ray> ray_of(const Orientation& orientation,
-                          const PointObservation& observation,
-                          const Eigen::Vector3d& origin_m) {
+std::optional<ObservedRay> ray_of(const Orientation& orientation,
+                                  const PointObservation& observation,
+                                  const Eigen::Vector3d& origin_m) {
   const OrientedImage& image = orientation.images[observation.image];
   if (!image.camera) return std::nullopt;
   const InteriorOrientation& interior = orientation.cameras[*image.camera].interior;
@@ -33,13 +33,14 @@ std::optional<Ray> ray_of(const Orientation& orientation,
   local.position_m -= origin_m;
   const Eigen::Vector3d direction =
       local.world_from_camera_axes * Eigen::Vector3d(v.x(), -v.y(), -1.0);
-  return Ray{local.position_m, direction.normalized(), *ideal, projection_matrix(interior, local)};
+  return ObservedRay{local.position_m, direction.normalized(), *ideal,
+                     projection_matrix(interior, local)};
 }
 
-Eigen::Vector3d meeting_of(std::span<const Ray> rays) {
+Eigen::Vector3d meeting_of(std::span<const ObservedRay> rays) {
   Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
-  for (const Ray& ray : rays) {
+  for (const ObservedRay& ray : rays) {
     const Eigen::Matrix3d across =
         Eigen::Matrix3d::Identity() - ray.direction * ray.direction.transpose();
     normal_matrix += across;
@@ -49,7 +50,7 @@ Eigen::Vector3d meeting_of(std::span<const Ray> rays) {
 }
 
 /// A point behind the camera is infinitely far from what the camera saw.
-double distance_px(const Ray& ray, const Eigen::Vector3d& x_in_local) {
+double distance_px(const ObservedRay& ray, const Eigen::Vector3d& x_in_local) {
   const Eigen::Vector3d seen = ray.image_from_local * x_in_local.homogeneous();
   if (!(seen.z() > 0.0)) return std::numeric_limits<double>::infinity();
   return (seen.hnormalized() - ray.ideal_px).norm();
@@ -66,9 +67,9 @@ Eigen::Vector3d middle_of(const Orientation& orientation) {
 std::optional<double> median_ray_distance_px(const Orientation& orientation,
                                              const std::vector<PointObservation>& observations) {
   const Eigen::Vector3d origin_m = middle_of(orientation);
-  std::map<std::size_t, std::vector<Ray>> rays_of_points;
+  std::map<std::size_t, std::vector<ObservedRay>> rays_of_points;
   for (const PointObservation& observation : observations) {
-    if (std::optional<Ray> ray = ray_of(orientation, observation, origin_m)) {
+    if (std::optional<ObservedRay> ray = ray_of(orientation, observation, origin_m)) {
       rays_of_points[observation.point].push_back(*ray);
     }
   }
@@ -77,7 +78,7 @@ std::optional<double> median_ray_distance_px(const Orientation& orientation,
   std::vector<double> distances_px;
   for (const auto& [point, rays] : rays_of_points) {
     const Eigen::Vector3d x_in_local = meeting_of(rays);
-    for (const Ray& ray : rays) distances_px.push_back(distance_px(ray, x_in_local));
+    for (const ObservedRay& ray : rays) distances_px.push_back(distance_px(ray, x_in_local));
   }
   const auto middle = distances_px.begin() + static_cast<std::ptrdiff_t>(distances_px.size() / 2);
   std::nth_element(distances_px.begin(), middle, distances_px.end());

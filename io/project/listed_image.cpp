@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/project/listed_image.h"
 
+#include "reconstruct/geometry/degrees.h"
+
 #include <Eigen/Dense>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -196,7 +197,6 @@ InteriorOrientation ListedImage::interior() const {
 }
 
 ExteriorOrientation ListedImage::exterior() const {
-  constexpr double kRadPerDeg = std::numbers::pi / 180.0;
   const YamlMap map(path_, map_.node("exterior"), {"position_m", "omega_phi_kappa_deg"});
   const std::vector<double> position = map.numbers("position_m", 3);
   const std::vector<double> angles = map.numbers("omega_phi_kappa_deg", 3);

@@ -44,23 +44,23 @@ std::string bounds_text(const io::Crs& crs,
 
 /// A hint at another unit if the lines would lie in the cloud's plan with it; "" if there is none.
 std::string unit_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBox3d& cloud_m) {
-  struct Unit {
+  struct MisreadUnit {
     const char* name;
     double m;
     const char* factor;
   };
   constexpr std::array kUnits{
-      Unit{"feet", 0.3048, "0.3048"},    Unit{"millimetres", 0.001, "0.001"},
-      Unit{"centimetres", 0.01, "0.01"}, Unit{"inches", 0.0254, "0.0254"},
-      Unit{"yards", 0.9144, "0.9144"},   Unit{"decimetres", 0.1, "0.1"},
-      Unit{"kilometres", 1000.0, "1000"}};
+      MisreadUnit{"feet", 0.3048, "0.3048"},    MisreadUnit{"millimetres", 0.001, "0.001"},
+      MisreadUnit{"centimetres", 0.01, "0.01"}, MisreadUnit{"inches", 0.0254, "0.0254"},
+      MisreadUnit{"yards", 0.9144, "0.9144"},   MisreadUnit{"decimetres", 0.1, "0.1"},
+      MisreadUnit{"kilometres", 1000.0, "1000"}};
   const auto overlaps = [&](double factor) {
     const Eigen::AlignedBox2d scaled(factor * lines_m.min().head<2>(),
                                      factor * lines_m.max().head<2>());
     return scaled.intersects(Eigen::AlignedBox2d(cloud_m.min().head<2>(), cloud_m.max().head<2>()));
   };
   if (lines_m.isEmpty() || overlaps(1.0)) return "";
-  for (const Unit& unit : kUnits) {
+  for (const MisreadUnit& unit : kUnits) {
     if (!overlaps(unit.m)) continue;
     return fmt::format(
         "; times {} the lines would lie in the cloud: are they in {}, and the cloud in "

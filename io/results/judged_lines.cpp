@@ -3,6 +3,7 @@
 
 #include "io/error.h"
 #include "io/models/face_geometry.h"
+#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/segment.h"
 #include "reconstruct/geometry/transformed.h"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -92,7 +92,7 @@ JudgedLine judged_line(const io::Line& line,
   judged.epipolar_angle_deg = line.epipolar_angle_deg;
   if (!judged.epipolar_angle_deg && cameras.size() >= 2 && evaluate::in_range(judged.segment)) {
     judged.epipolar_angle_deg =
-        epipolar_angle_rad(cameras, metric_segment(line, unit_m)) * 180.0 / std::numbers::pi;
+        epipolar_angle_rad(cameras, metric_segment(line, unit_m)) / kRadPerDeg;
   }
   judged.line_class = class_of(line, judged.epipolar_angle_deg, max_aligned_angle_deg);
   return judged;

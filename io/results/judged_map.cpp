@@ -8,6 +8,7 @@
 #include "io/results/map_style.h"
 #include "io/results/to_fix.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -29,8 +29,6 @@ using evaluate::LineEvaluation;
 using io::Column;
 using io::ColumnType;
 using io::Value;
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 Value plane_id(const LineEvaluation& e, std::size_t i) {
   return i < e.planes.size() ? integer(static_cast<std::int64_t>(e.planes[i].id)) : Value();
@@ -47,14 +45,14 @@ Value sigma_of(const LineEvaluation& e) {
 }
 
 /// A judged line with what is known of it.
-struct MapLine {
+struct JudgedMapLine {
   const LineEvaluation& e;
   const io::Line& line;
   std::string kind;                                  ///< roof_kind()
   Eigen::Vector3d moved_m{Eigen::Vector3d::Zero()};  ///< by which the line was moved before
 };
 
-using LineField = Field<MapLine>;
+using LineField = MapField<JudgedMapLine>;
 
 const std::vector<LineField>& line_fields() {
   static const std::vector<LineField> fields{
@@ -106,7 +104,7 @@ Value centimetres(std::optional<double> x_m) {
   return integer(static_cast<std::int64_t>(std::ceil(std::abs(*x_m) * 100.0)));
 }
 
-std::string fkb_type(const MapLine& m) {
+std::string fkb_type(const JudgedMapLine& m) {
   if (m.kind.empty()) return "";
   if (m.kind == "step") return "Taksprang";
   return m.kind == "eave" || m.kind == "verge" ? "Takkant" : "M\xC3\xB8nelinje";
@@ -169,11 +167,11 @@ double normal_part(const JudgedPlane& p, int axis) { return p.plane.normal()[axi
 std::optional<double> aspect_deg(const Plane3& plane) {
   const Eigen::Vector3d n = plane.normal();
   if (n.x() == 0.0 && n.y() == 0.0) return std::nullopt;
-  const double azimuth_deg = std::atan2(n.x(), n.y()) * kDegrees;
+  const double azimuth_deg = std::atan2(n.x(), n.y()) / kRadPerDeg;
   return azimuth_deg < 0.0 ? azimuth_deg + 360.0 : azimuth_deg;
 }
 
-using PlaneField = Field<JudgedPlane>;
+using PlaneField = MapField<JudgedPlane>;
 
 const std::vector<PlaneField>& plane_fields() {
   static const std::vector<PlaneField> fields{
@@ -183,7 +181,7 @@ const std::vector<PlaneField>& plane_fields() {
       {"normal_y", ColumnType::kReal, [](const auto& p) { return number(normal_part(p, 1)); }},
       {"normal_z", ColumnType::kReal, [](const auto& p) { return number(normal_part(p, 2)); }},
       {"slope_deg", ColumnType::kReal,
-       [](const auto& p) { return number(slope_rad(p.plane) * kDegrees); }},
+       [](const auto& p) { return number(slope_rad(p.plane) / kRadPerDeg); }},
       {"aspect_deg", ColumnType::kReal, [](const auto& p) { return number(aspect_deg(p.plane)); }},
       {"rms_m", ColumnType::kReal, [](const auto& p) { return number(p.rms_m); }},
       {"inliers", ColumnType::kInteger, [](const auto& p) { return integer(p.n_inliers); }},
@@ -191,7 +189,7 @@ const std::vector<PlaneField>& plane_fields() {
   return fields;
 }
 
-using VectorField = Field<LineEvaluation, JudgingPlane>;
+using VectorField = MapField<LineEvaluation, JudgingPlane>;
 
 const std::vector<VectorField>& vector_fields() {
   static const std::vector<VectorField> fields{
@@ -249,7 +247,7 @@ io::MapLayer lines_layer(const io::LineSet& set,
       feature.vertices = {line.segment_in_world.start, line.segment_in_world.end};
     }
     feature.values = input_values(set, line, first);
-    MapLine judged{
+    JudgedMapLine judged{
         e, line,
         evaluate::roof_kind(e, segment_in_local(line, unit_m, {evaluation.origin_m}), by_id)};
     if (is_moved(evaluation)) judged.moved_m = -evaluation.shift->shift_m;

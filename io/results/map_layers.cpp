@@ -18,7 +18,7 @@ using evaluate::FaceEvaluation;
 using io::ColumnType;
 using io::Value;
 
-using BuildingField = Field<BuildingRow>;
+using BuildingField = MapField<BuildingRow>;
 
 std::optional<double> shift_along(const BuildingRow& building, int axis) {
   return building.shift_m ? std::optional((*building.shift_m)[axis]) : std::nullopt;
@@ -69,7 +69,7 @@ std::optional<double> value_of(const std::optional<evaluate::Estimate>& estimate
   return estimate ? std::optional(estimate->value) : std::nullopt;
 }
 
-using FaceField = Field<FaceEvaluation>;
+using FaceField = MapField<FaceEvaluation>;
 
 const std::vector<FaceField>& face_fields() {
   static const std::vector<FaceField> fields{

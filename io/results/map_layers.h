@@ -29,7 +29,7 @@ inline io::Value text(std::string words) {
 
 /// A column of a layer, with the function that gives its value for one feature.
 template <typename... Thing>
-struct Field {
+struct MapField {
   const char* name;
   io::ColumnType type;
   io::Value (*value)(const Thing&...);

@@ -304,19 +304,20 @@ io::MapStyle faces_style() {
 }
 
 io::MapStyle to_fix_style() {
-  struct Mark {
+  struct Marker {
     const char *label, *qml_filter, *sld_filter;
     double size_mm;
   };
   constexpr std::array kMarks{
-      Mark{"the first ten to fix", "&quot;rank&quot; &lt;= 10",
-           "<ogc:Filter><ogc:PropertyIsLessThanOrEqualTo><ogc:PropertyName>rank</ogc:PropertyName>"
-           "<ogc:Literal>10</ogc:Literal></ogc:PropertyIsLessThanOrEqualTo></ogc:Filter>",
-           4.0},
-      Mark{"to fix", "ELSE", "<ElseFilter/>", 2.0}};
+      Marker{
+          "the first ten to fix", "&quot;rank&quot; &lt;= 10",
+          "<ogc:Filter><ogc:PropertyIsLessThanOrEqualTo><ogc:PropertyName>rank</ogc:PropertyName>"
+          "<ogc:Literal>10</ogc:Literal></ogc:PropertyIsLessThanOrEqualTo></ogc:Filter>",
+          4.0},
+      Marker{"to fix", "ELSE", "<ElseFilter/>", 2.0}};
   std::string rules, symbols, sld_rules;
   for (std::size_t i = 0; i < kMarks.size(); ++i) {
-    const Mark& mark = kMarks[i];
+    const Marker& mark = kMarks[i];
     rules += fmt::format("<rule key=\"{{mark{}}}\" symbol=\"{}\" label=\"{}\" filter=\"{}\"/>\n", i,
                          i, mark.label, mark.qml_filter);
     symbols += qml_symbol(static_cast<int>(i), "marker", "SimpleMarker",

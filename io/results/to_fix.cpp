@@ -123,7 +123,7 @@ struct Ranked {
   std::int64_t rank;
 };
 
-using RankedField = Field<Ranked>;
+using RankedField = MapField<Ranked>;
 
 const std::vector<RankedField>& fields() {
   using io::ColumnType;

@@ -7,7 +7,7 @@ namespace ridgeline::io {
 
 void KindCounts::add(const Kind& kind, std::size_t n) {
   if (n == 0) return;
-  Count& count = counts_[std::string(kind.several)];
+  KindCount& count = counts_[std::string(kind.several)];
   count.one = kind.one;
   count.n += n;
 }

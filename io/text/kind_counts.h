@@ -37,11 +37,11 @@ class KindCounts {
   [[nodiscard]] std::string text() const;
 
  private:
-  struct Count {
+  struct KindCount {
     std::string one;
     std::size_t n = 0;
   };
-  std::map<std::string, Count> counts_;  ///< the key is Kind::several
+  std::map<std::string, KindCount> counts_;  ///< the key is Kind::several
 };
 
 }  // namespace ridgeline::io

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/block/merge_lines.h"
 
+#include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/plan_box.h"
-#include "reconstruct/geometry/segment_index.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/Dense>
@@ -22,13 +22,13 @@ namespace ridgeline::reconstruct {
 namespace {
 
 /// Parameters from..to along a line, 0 at its start and 1 at its end; none if from >= to.
-struct Stretch {
+struct LinePart {
   double from = 0.0, to = 1.0;
   [[nodiscard]] double share() const { return std::max(to - from, 0.0); }
 };
 
 /// The part of a stretch of the segment that lies in a box in plan.
-Stretch within(const Segment3& segment, const Eigen::AlignedBox2d& box, Stretch stretch) {
+LinePart within(const Segment3& segment, const Eigen::AlignedBox2d& box, LinePart stretch) {
   const Eigen::Vector2d start = segment.start.head<2>();
   const Eigen::Vector2d way = (segment.end - segment.start).head<2>();
   for (int axis = 0; axis < 2; ++axis) {
@@ -44,7 +44,7 @@ Stretch within(const Segment3& segment, const Eigen::AlignedBox2d& box, Stretch 
 }
 
 /// The part of `a` that lies beside `b`.
-Stretch beside(const Segment3& a, const Segment3& b, Stretch stretch) {
+LinePart beside(const Segment3& a, const Segment3& b, LinePart stretch) {
   const double start = parameter_along(a, b.start);
   const double end = parameter_along(a, b.end);
   return {std::max(stretch.from, std::min(start, end)), std::min(stretch.to, std::max(start, end))};
@@ -150,10 +150,10 @@ class Merger {
       const Segment2 seen = plan(found.line.segment_in_world);
       return Segment2{seen.start - origin, seen.end - origin};
     });
-    const SegmentIndex index(plans);
+    const BoxIndex2 index(plans);
     tbb::parallel_for(std::size_t{0}, lines_.size(), [&](std::size_t i) {
-      for (const int j : index.near(plans[i], kReach_m)) {
-        if (const auto twin = twin_of(i, static_cast<std::size_t>(j))) twins_[i].push_back(*twin);
+      for (const std::size_t j : index.near(plans[i], kReach_m)) {
+        if (const auto twin = twin_of(i, j)) twins_[i].push_back(*twin);
       }
     });
   }
@@ -170,9 +170,9 @@ class Merger {
     const bool i_is_longer = std::tuple(length(segment(i)), i) > std::tuple(length(segment(j)), j);
     const std::size_t a = i_is_longer ? i : j;
     const std::size_t b = i_is_longer ? j : i;
-    const Stretch shown_a = within(segment(a), both, {});
-    const Stretch shown_b = within(segment(b), both, {});
-    const Stretch common = beside(segment(a), segment(b), shown_a);
+    const LinePart shown_a = within(segment(a), both, {});
+    const LinePart shown_b = within(segment(b), both, {});
+    const LinePart common = beside(segment(a), segment(b), shown_a);
     const double shorter_m =
         std::min(shown_a.share() * length(segment(a)), shown_b.share() * length(segment(b)));
     const double common_m = common.share() * length(segment(a));

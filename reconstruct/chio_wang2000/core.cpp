@@ -23,7 +23,7 @@ struct Screened {
   std::vector<SearchedPoint> points;
 };
 
-struct Context {
+struct CoreContext {
   const SearchedPair& pair;
   const Radiometry& radiometry;
   const ChioOptions& options;
@@ -44,7 +44,7 @@ RateNoise rate_noise(const ChainSummary& chain, double gsd_m, const ChioExtensio
 
 /// The largest difference of azimuths. A slope turns a line between the views. The paper's limit
 /// makes no allowance for that; NoiseAllowance does.
-double azimuth_limit_rad(const LocalTransfer& transfer, const Context& context) {
+double azimuth_limit_rad(const LocalTransfer& transfer, const CoreContext& context) {
   const double turn_rad =
       context.beyond.noise ? std::atan(context.options.max_rate * transfer.base_to_height()) : 0.0;
   return context.options.max_azimuth_deg * kRadPerDeg + turn_rad;
@@ -58,7 +58,7 @@ double mean_of(const Colour& colour, int n_bands) {
 
 /// Grey difference of the flank that agrees better: an eave hides what is beside it in one of the
 /// views.
-double flank_difference(const Context& context, const EdgePair& edges) {
+double flank_difference(const CoreContext& context, const EdgePair& edges) {
   const int n_bands = context.pair.left.image.channels();
   const auto grey = [&](const Flank& flank) {
     return mean_of(context.radiometry.left_from_right(flank.colour), n_bands);
@@ -68,7 +68,7 @@ double flank_difference(const Context& context, const EdgePair& edges) {
                   std::abs(mean_of(edges.left.right.colour, n_bands) - grey(*mate_of_right)));
 }
 
-ChioOutcome screening(const Context& context,
+ChioOutcome screening(const CoreContext& context,
                       const Screened& screened,
                       const Candidate& candidate,
                       const ChainSummary& chain) {
@@ -89,7 +89,7 @@ ChioOutcome screening(const Context& context,
   return ChioOutcome::kMatched;
 }
 
-CoreCandidates candidates_of(const Context& context,
+CoreCandidates candidates_of(const CoreContext& context,
                              const EdgeSegment& left,
                              const std::vector<Candidate>& found) {
   const Screened screened{left, local_transfer(context.pair.search, midpoint(left.line.segment)),
@@ -141,7 +141,7 @@ std::vector<CoreCandidates> core_candidates(const SearchedPair& pair,
   wide.min_epipolar_angle_deg = options.min_epipolar_angle_deg;
   if (!beyond.by_look) wide.max_candidates = kMaxCandidates;
   const Candidates found = match_candidates(pair, radiometry, wide, beyond.change_look);
-  const Context context{pair, radiometry, options, beyond};
+  const CoreContext context{pair, radiometry, options, beyond};
   std::vector<CoreCandidates> candidates(pair.left.segments.size());
   tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
     candidates[i] = candidates_of(context, pair.left.segments[i], found[i]);

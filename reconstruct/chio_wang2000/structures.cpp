@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/chio_wang2000/structures.h"
 
+#include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/degrees.h"
-#include "reconstruct/geometry/segment_index.h"
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
@@ -31,22 +31,22 @@ double end_distance(const Segment2& s, const Eigen::Vector2d& x) {
 }
 
 std::vector<Crossing> crossings_of(std::span<const Segment2> segments, const ChioOptions& options) {
-  const SegmentIndex index(segments);
+  const BoxIndex2 index(segments);
   const double radius = options.junction_radius_px;
-  std::set<std::pair<int, int>> seen;
+  std::set<std::pair<std::size_t, std::size_t>> seen;
   std::vector<Crossing> crossings;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     for (const Eigen::Vector2d& end : {segments[i].start, segments[i].end}) {
-      for (const int k : index.near({end, end}, 2.0 * radius)) {
-        const int id = static_cast<int>(i);
-        if (k == id) continue;
+      for (const std::size_t k : index.near(Segment2{end, end}, 2.0 * radius)) {
+        if (k == i) continue;
         const auto x =
             intersection(segments[i], segments[k], options.min_junction_angle_deg * kRadPerDeg);
         if (!x || end_distance(segments[i], *x) > radius) continue;
         const double gap_px = end_distance(segments[i], *x) + distance(segments[k], *x);
         if (distance(segments[k], *x) > radius) continue;
-        if (!seen.insert(std::minmax(id, k)).second) continue;
-        crossings.push_back({*x, std::min(id, k), std::max(id, k), gap_px});
+        if (!seen.insert(std::minmax(i, k)).second) continue;
+        crossings.push_back(
+            {*x, static_cast<int>(std::min(i, k)), static_cast<int>(std::max(i, k)), gap_px});
       }
     }
   }

@@ -1,74 +1,85 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/geometry/box_index.h"
 
-#include "reconstruct/geometry/plan_box.h"
+#include "reconstruct/geometry/transformed.h"
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace ridgeline {
 namespace {
 
-constexpr double kCell = 16.0;  // a roof face in metres, as a rule
+namespace bg = boost::geometry;
 
-/// The range of cells of a box.
-struct Cells {
-  Eigen::Vector2d low, high;
+template <int kDim>
+using Point = bg::model::point<double, kDim, bg::cs::cartesian>;
 
-  explicit Cells(const Eigen::AlignedBox2d& box)
-      : low((box.min() / kCell).array().floor()), high((box.max() / kCell).array().floor()) {}
+Point<2> point(const Eigen::Vector2d& x) { return {x.x(), x.y()}; }
+Point<3> point(const Eigen::Vector3d& x) { return {x.x(), x.y(), x.z()}; }
 
-  [[nodiscard]] bool are_many() const {
-    constexpr double kMaxCells = 4096.0;
-    constexpr double kMaxCoordinate = 1e15;  // beyond it cells are no integers
-    const Eigen::Vector2d n = high - low + Eigen::Vector2d::Ones();
-    return !(n.prod() <= kMaxCells) || low.cwiseAbs().maxCoeff() > kMaxCoordinate ||
-           high.cwiseAbs().maxCoeff() > kMaxCoordinate;
-  }
+bool is_usable(const auto& box) {
+  return !box.isEmpty() && box.min().allFinite() && box.max().allFinite();
+}
 
-  template <typename Visitor>
-  void visit(Visitor visit) const {
-    for (auto i = static_cast<long>(low.x()); i <= static_cast<long>(high.x()); ++i)
-      for (auto j = static_cast<long>(low.y()); j <= static_cast<long>(high.y()); ++j) visit(i, j);
-  }
-};
+/// Empty if an end is not finite.
+template <int kDim>
+Eigen::AlignedBox<double, kDim> box_of(const auto& segment) {
+  if (!segment.start.allFinite() || !segment.end.allFinite()) return {};
+  return {segment.start.cwiseMin(segment.end), segment.start.cwiseMax(segment.end)};
+}
 
 }  // namespace
 
-BoxIndex::BoxIndex(std::vector<Eigen::AlignedBox2d> boxes) : boxes_(std::move(boxes)) {
-  for (std::size_t k = 0; k < boxes_.size(); ++k) {
-    const Eigen::AlignedBox2d& box = boxes_[k];
-    if (box.isEmpty() || !box.min().allFinite() || !box.max().allFinite()) continue;
-    const Cells cells(box);
-    if (cells.are_many()) {
-      wide_.push_back(k);
-      continue;
-    }
-    cells.visit([&](long i, long j) { in_cell_[{i, j}].push_back(k); });
-  }
-}
+template <int kDim>
+struct BoxIndex<kDim>::Tree {
+  using Entry = std::pair<bg::model::box<Point<kDim>>, std::size_t>;
 
-std::vector<std::size_t> BoxIndex::near(const Eigen::AlignedBox2d& box, double reach) const {
-  std::vector<std::size_t> found;
-  if (box.isEmpty() || !box.min().allFinite() || !box.max().allFinite()) return found;
-  const auto add = [&](const std::vector<std::size_t>& candidates) {
-    for (const std::size_t k : candidates)
-      if (boxes_[k].exteriorDistance(box) <= reach) found.push_back(k);
-  };
-  const Cells cells(grown(box, reach));
-  if (cells.are_many()) {
-    for (const auto& [cell, candidates] : in_cell_) add(candidates);
-  } else {
-    cells.visit([&](long i, long j) {
-      const auto candidates = in_cell_.find({i, j});
-      if (candidates != in_cell_.end()) add(candidates->second);
-    });
+  std::vector<Box> boxes;
+  bg::index::rtree<Entry, bg::index::rstar<16>> places;
+
+  explicit Tree(std::span<const Box> all) : boxes(all.begin(), all.end()) {
+    std::vector<Entry> entries;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      if (is_usable(boxes[i]))
+        entries.push_back({{point(boxes[i].min()), point(boxes[i].max())}, i});
+    }
+    places = {entries.begin(), entries.end()};
   }
-  add(wide_);
+};
+
+template <int kDim>
+BoxIndex<kDim>::BoxIndex(std::span<const Box> boxes) : tree_(std::make_shared<Tree>(boxes)) {}
+
+template <int kDim>
+BoxIndex<kDim>::BoxIndex(std::span<const Segment> segments)
+    : BoxIndex(transformed(segments, [](const Segment& s) { return box_of<kDim>(s); })) {}
+
+template <int kDim>
+std::vector<std::size_t> BoxIndex<kDim>::near(const Box& box, double reach) const {
+  std::vector<std::size_t> found;
+  if (!tree_ || !is_usable(box)) return found;
+  const Box within(box.min().array() - reach, box.max().array() + reach);
+  tree_->places.query(
+      bg::index::intersects(bg::model::box<Point<kDim>>(point(within.min()), point(within.max()))),
+      boost::make_function_output_iterator([&](const typename Tree::Entry& entry) {
+        if (tree_->boxes[entry.second].exteriorDistance(box) <= reach)
+          found.push_back(entry.second);
+      }));
   std::ranges::sort(found);
-  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
+
+template <int kDim>
+std::vector<std::size_t> BoxIndex<kDim>::near(const Segment& segment, double reach) const {
+  return near(box_of<kDim>(segment), reach);
+}
+
+template class BoxIndex<2>;
+template class BoxIndex<3>;
 
 Eigen::AlignedBox2d plan_box_of(std::span<const Eigen::Vector3d> points) {
   Eigen::AlignedBox2d box;

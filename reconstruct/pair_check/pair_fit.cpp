@@ -87,7 +87,7 @@ PairFit fit_of_pair(std::span<const PointMatch> points,
   }
   const std::size_t n = parallaxes_px.size();
   if (n == 0) return {0, std::numeric_limits<double>::quiet_NaN(), 0.0};
-  return {n, median(std::move(parallaxes_px)), double(n_fit) / double(n)};
+  return {n, upper_median(std::move(parallaxes_px)), double(n_fit) / double(n)};
 }
 
 PointMatch as_seen(const PointMatch& file_points,

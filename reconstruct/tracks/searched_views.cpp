@@ -16,7 +16,7 @@ SearchedViews::SearchedViews(const Scene& scene, std::span<const MatchedPair> pa
   for (std::size_t v = 0; v < views_.size(); ++v) {
     SearchedView& view = views_[v];
     view.lines = transformed(scene.views[v].segments, &EdgeSegment::line);
-    view.index = SegmentIndex(ideal_segments(scene.views[v]));
+    view.index = BoxIndex2(ideal_segments(scene.views[v]));
     for (std::size_t w = 0; w < views_.size(); ++w) {
       view.to.emplace_back(scene.views[v].image_from_local, scene.views[w].image_from_local);
       view.mate.emplace_back(view.lines.size(), -1);

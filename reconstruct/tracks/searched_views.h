@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/geometry/segment_index.h"
+#include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/track.h"
 #include "reconstruct/views/epipolar_transfer.h"
 #include "reconstruct/views/scene.h"
@@ -29,7 +29,7 @@ class SearchedViews {
   [[nodiscard]] const UncertainSegment2& line(const Observation& s) const {
     return views_[s.view].lines[static_cast<std::size_t>(s.segment)];
   }
-  [[nodiscard]] const SegmentIndex& by_place(std::size_t view) const { return views_[view].index; }
+  [[nodiscard]] const BoxIndex2& by_place(std::size_t view) const { return views_[view].index; }
   [[nodiscard]] bool shows(std::size_t view, const Eigen::Vector2d& x_px) const;
 
   /// The other views, the nearest one first.
@@ -49,7 +49,7 @@ class SearchedViews {
  private:
   struct SearchedView {
     std::vector<UncertainSegment2> lines;
-    SegmentIndex index{{}};
+    BoxIndex2 index;
     std::vector<std::size_t> others;
     std::vector<EpipolarTransfer> to;    ///< by view
     std::vector<std::vector<int>> mate;  ///< by view and segment; -1: none

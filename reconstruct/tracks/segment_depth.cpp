@@ -113,12 +113,12 @@ class Search {
     Eigen::AlignedBox2d band;
     for (const Stretch& end : ends) band.extend(end.at(lowest_m)).extend(end.at(highest_m));
     std::vector<Hypothesis> all;
-    for (const int segment : views_.by_place(view).in_box(band)) {
-      const Observation seen{view, segment};
+    for (const std::size_t segment : views_.by_place(view).near(band, 0.0)) {
+      const Observation seen{view, static_cast<int>(segment)};
       if (!is_free_(seen)) continue;
       if (const auto residual = intersection_with(seen)) {
         all.emplace_back().said.resize(views_.size());
-        all.back().said[view] = {log_look(seen), std::pair{segment, *residual}};
+        all.back().said[view] = {log_look(seen), std::pair{seen.segment, *residual}};
       }
     }
     return all;
@@ -174,25 +174,26 @@ class Search {
     int n_parallel = 0;
     double best_ratio = 0.0;
     Answer answer;
-    for (const int segment : views_.by_place(view).near(p.segment, reach_px)) {
-      const UncertainSegment2& line = views_.line({view, segment});
+    for (const std::size_t segment : views_.by_place(view).near(p.segment, reach_px)) {
+      const Observation seen{view, static_cast<int>(segment)};
+      const UncertainSegment2& line = views_.line(seen);
       const auto at = overlap(p, line.segment);
       if (!at) continue;
       const PredictionResidual o =
           residual_of(own_, depth.heights_m, p, line, *at, options_.sigma_edge_px);
       if (o.residual_px.cwiseAbs().maxCoeff() < reach_px) ++n_parallel;
-      if (!is_free_({view, segment})) continue;
+      if (!is_free_(seen)) continue;
       const Eigen::Matrix2d cov_px2 = o.cov_with(depth);
       const double chi2 = chi_square(o, cov_px2);
       if (chi2 > kChiSquare2) continue;
       const double overlap_px = ((*at)[1] - (*at)[0]) * length(p.segment);
       const double area_px2 =
           4.0 * reach_px * std::min(reach_px, std::tan(kMaxTurn_rad) * overlap_px);
-      const double ratio = std::exp(-0.5 * chi2 + log_look({view, segment})) * area_px2 /
+      const double ratio = std::exp(-0.5 * chi2 + log_look(seen)) * area_px2 /
                            (2.0 * std::numbers::pi * std::sqrt(cov_px2.determinant()));
       if (ratio <= best_ratio) continue;
       best_ratio = ratio;
-      answer.seen = std::pair{segment, o};
+      answer.seen = std::pair{seen.segment, o};
     }
     // One more than are seen, so that a lonely segment is not certain either.
     const double p_seen = options_.seen_share;
@@ -263,10 +264,10 @@ void add_pieces(const SearchedViews& views,
     for (const Observation& s : track.observations) {
       if (s.view == v) known.push_back(span_on(p.segment, views.line(s).segment));
     }
-    for (const int segment : views.by_place(v).near(whole, kBeside_px)) {
-      const UncertainSegment2& line = views.line({v, segment});
-      if (!is_free({v, segment}) || acute_angle_rad(line.segment, p.segment) > kMaxTurn_rad)
-        continue;
+    for (const std::size_t segment : views.by_place(v).near(whole, kBeside_px)) {
+      const Observation seen{v, static_cast<int>(segment)};
+      const UncertainSegment2& line = views.line(seen);
+      if (!is_free(seen) || acute_angle_rad(line.segment, p.segment) > kMaxTurn_rad) continue;
       const std::array<double, 2> span = span_on(p.segment, line.segment);
       const double within = std::min(span[1], part[1]) - std::max(span[0], part[0]);
       if (within < kMinShareWithin * (span[1] - span[0])) continue;
@@ -282,7 +283,7 @@ void add_pieces(const SearchedViews& views,
           chi_square(o, o.cov_with(track.depth)) > kChiSquare2) {
         continue;
       }
-      track.observations.push_back({v, segment});
+      track.observations.push_back(seen);
       known.push_back(span);
     }
   }

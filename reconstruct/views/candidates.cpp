@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/views/candidates.h"
 
+#include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/interruption.h"
-#include "reconstruct/geometry/segment_index.h"
 
 #include <tbb/parallel_for.h>
 
@@ -19,12 +19,12 @@ constexpr double kParallaxStep_px = 1.0;  // step of the search along near-align
 /// The grid for choosing among many parallaxes, coarser than that of the final comparison.
 constexpr StripGrid kCoarseGrid{1.5, 2.0, 3, 16, 1, false};
 
-struct Search {
+struct CandidateSearch {
   const SearchedPair& pair;
   ImagePair images;
   const CandidateOptions& options;
   const CandidateLook& change_look;
-  SegmentIndex right_index;
+  BoxIndex2 right_index;
 };
 
 /// The box around the places in the right image where both ends of a left segment may lie.
@@ -44,7 +44,7 @@ double sum_of_ncc(const EdgeLook& look) {
 }
 
 /// The overlap of two near-aligned segments for which they look most alike.
-std::optional<EpipolarOverlap> best_aligned_overlap(const Search& search,
+std::optional<EpipolarOverlap> best_aligned_overlap(const CandidateSearch& search,
                                                     const SearchedSegment& searched,
                                                     const LocalTransfer& transfer,
                                                     const EdgeSegment& left,
@@ -83,7 +83,7 @@ bool admissible(const EpipolarOverlap& overlap,
   return std::max(overlap.share_of_left(), overlap.share_of_right()) >= options.min_overlap;
 }
 
-std::optional<Candidate> candidate(const Search& search,
+std::optional<Candidate> candidate(const CandidateSearch& search,
                                    const SearchedSegment& searched,
                                    const LocalTransfer& transfer,
                                    const EdgeSegment& left,
@@ -118,7 +118,7 @@ std::optional<Candidate> candidate(const Search& search,
   return found;
 }
 
-std::vector<Candidate> candidates_of(const Search& search, const EdgeSegment& left) {
+std::vector<Candidate> candidates_of(const CandidateSearch& search, const EdgeSegment& left) {
   std::vector<Candidate> candidates;
   const std::optional<SearchedSegment> searched =
       searched_segment(search.pair.search, left.line.segment);
@@ -127,8 +127,8 @@ std::vector<Candidate> candidates_of(const Search& search, const EdgeSegment& le
   const LocalTransfer transfer = local_transfer(search.pair.search, midpoint(left.line.segment));
   const Eigen::AlignedBox2d box =
       band_box(*searched, heights_m, search.options.epipolar_tolerance_px);
-  for (const int id : search.right_index.in_box(box)) {
-    if (auto found = candidate(search, *searched, transfer, left, id)) {
+  for (const std::size_t id : search.right_index.near(box, 0.0)) {
+    if (auto found = candidate(search, *searched, transfer, left, static_cast<int>(id))) {
       candidates.push_back(*found);
     }
   }
@@ -146,11 +146,12 @@ Candidates match_candidates(const SearchedPair& pair,
                             const CandidateOptions& options,
                             const CandidateLook& change_look) {
   validate(options);
-  const Search all{pair,
-                   {ImageSampler(pair.left.image), ImageSampler(pair.right.image), radiometry},
-                   options,
-                   change_look,
-                   SegmentIndex(ideal_segments(pair.right))};
+  const CandidateSearch all{
+      pair,
+      {ImageSampler(pair.left.image), ImageSampler(pair.right.image), radiometry},
+      options,
+      change_look,
+      BoxIndex2(ideal_segments(pair.right))};
   const std::vector<EdgeSegment>& left = pair.left.segments;
   Candidates candidates(left.size());
   tbb::parallel_for(std::size_t{0}, left.size(), [&](std::size_t i) {

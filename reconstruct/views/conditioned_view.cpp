@@ -13,18 +13,18 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-struct Ray {
+struct PixelRay {
   Eigen::Vector3d origin, direction;
 };
 
 /// Ray of a pixel; the direction has unit length and either sign.
-Ray ray(const ProjectionMatrix& image_from_object, const Eigen::Vector2d& x) {
+PixelRay ray(const ProjectionMatrix& image_from_object, const Eigen::Vector2d& x) {
   const Eigen::Matrix3d inverse = image_from_object.leftCols<3>().inverse();
   return {-inverse * image_from_object.col(3), (inverse * x.homogeneous()).normalized()};
 }
 
 /// Point of ray a closest to ray b; not finite for parallel rays.
-Eigen::Vector3d closest_point(const Ray& a, const Ray& b) {
+Eigen::Vector3d closest_point(const PixelRay& a, const PixelRay& b) {
   const Eigen::Vector3d normal = a.direction.cross(b.direction);
   const double distance =
       (b.origin - a.origin).cross(b.direction).dot(normal) / normal.squaredNorm();
@@ -87,7 +87,7 @@ ConditionedViews condition(std::span<const ProjectionMatrix> cameras,
   }
   check(used.size() >= 2, "condition: images with segments = ", used.size(), ", must be 2 or more");
   const auto& [first, second] = std::pair(used[0], used[1]);
-  const Ray of_first = ray(cameras[first], images[first].centre_px);
+  const PixelRay of_first = ray(cameras[first], images[first].centre_px);
   ConditionedViews frames;
   frames.object.centre_m = closest_point(of_first, ray(cameras[second], images[second].centre_px));
   check(frames.object.centre_m.allFinite(),

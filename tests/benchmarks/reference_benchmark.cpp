@@ -3,7 +3,7 @@
 // by an R-tree against comparing it with all.
 #include "evaluate/statistics/parameter_intervals.h"
 #include "evaluate/statistics/reference_errors.h"
-#include "evaluate/statistics/segment_tree.h"
+#include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/epipolar.h"
 #include "tests/support/random.h"
 
@@ -64,7 +64,7 @@ BENCHMARK(compare_with_references_of_a_town)
 void lines_near_each_by_tree(benchmark::State& state) {
   const std::vector<Segment3> lines = town_lines(static_cast<std::size_t>(state.range(0)));
   for (auto _ : state) {
-    const SegmentTree<Segment3> tree(lines);
+    const BoxIndex3 tree(lines);
     std::size_t n = 0;
     for (const Segment3& s : lines) {
       for (const std::size_t i : tree.near(s, kTolerance_m)) {

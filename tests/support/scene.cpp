@@ -28,10 +28,10 @@ simulate::Scene scene_of(std::vector<simulate::RoofPart> parts,
   simulate::Scene scene;
   scene.extent_m = {2.0 * kHalfM, 2.0 * kHalfM};
   simulate::Terrain terrain(0.0, scene);
-  const simulate::Row ground = terrain.add_row(0.0, kHalfM, {});
+  const simulate::TerrainRow ground = terrain.add_row(0.0, kHalfM, {});
   terrain.add_tile(ground, {-kHalfM, -kHalfM}, {kHalfM, kHalfM}, simulate::Material::kGround);
 
-  simulate::Building building;
+  simulate::SceneBuilding building;
   building.type = type;
   building.ridge_azimuth_rad = kRadPerDeg * azimuth_deg;
   for (simulate::RoofPart& part : parts) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/close_edges/close_lines.h"
 
+#include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/degrees.h"
-#include "reconstruct/geometry/segment_index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,22 +35,23 @@ std::optional<double> offset_px(const Segment2& a, const Segment2& b) {
   return offset;
 }
 
-std::vector<CloseLine> close_lines_of(const SegmentIndex& index,
+std::vector<CloseLine> close_lines_of(const BoxIndex2& index,
                                       std::span<const Segment2> segments,
-                                      int id) {
-  const Segment2& a = segments[static_cast<std::size_t>(id)];
+                                      std::size_t id) {
+  const Segment2& a = segments[id];
   const Eigen::Vector2d n = normal(a);
   std::array<std::optional<CloseLine>, 2> nearest;
   std::array<double, 2> distance{std::numeric_limits<double>::infinity(),
                                  std::numeric_limits<double>::infinity()};
-  for (const int other : index.near(a, kClose_px)) {
+  for (const std::size_t other : index.near(a, kClose_px)) {
     if (other == id) continue;
-    const auto offset = offset_px(a, segments[static_cast<std::size_t>(other)]);
+    const auto offset = offset_px(a, segments[other]);
     if (!offset) continue;
     const std::size_t side = *offset < 0.0 ? 0 : 1;
     if (std::abs(*offset) >= distance[side]) continue;
     distance[side] = std::abs(*offset);
-    nearest[side] = CloseLine{other, side == 0 ? Eigen::Vector2d(-n) : n, distance[side]};
+    nearest[side] =
+        CloseLine{static_cast<int>(other), side == 0 ? Eigen::Vector2d(-n) : n, distance[side]};
   }
   std::vector<CloseLine> found;
   for (const auto& line : nearest) {
@@ -73,10 +74,10 @@ bool exchanges_sides(const Segment2& segment,
 }  // namespace
 
 CloseLines close_lines(std::span<const Segment2> segments) {
-  const SegmentIndex index(segments);
+  const BoxIndex2 index(segments);
   CloseLines found(segments.size());
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    found[i] = close_lines_of(index, segments, static_cast<int>(i));
+    found[i] = close_lines_of(index, segments, i);
   }
   return found;
 }

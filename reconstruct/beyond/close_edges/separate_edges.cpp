@@ -36,15 +36,17 @@ EdgeTrace shifted(const EdgeTrace& trace,
 }
 
 /// An edge with its line, and whether it is one of two separated edges.
-struct Part {
+struct EdgePart {
   EdgeTrace edge;
   Segment2 line;
   bool separated = false;
 };
 
-std::vector<Part> parts_of(EdgeTrace edge, const cv::Mat& image, const CloseEdgeFinder& finder) {
+std::vector<EdgePart> parts_of(EdgeTrace edge,
+                               const cv::Mat& image,
+                               const CloseEdgeFinder& finder) {
   const Segment2 line = line_through(edge);
-  std::vector<Part> parts;
+  std::vector<EdgePart> parts;
   if (const auto steps = finder.find(image, line)) {
     const double strongest = std::max((*steps)[0].height, (*steps)[1].height);
     for (const ProfileStep& step : *steps) {
@@ -79,15 +81,15 @@ double right_end(const Segment2& s) { return std::max(s.start.x(), s.end.x()); }
 
 /// Marks the parts to drop: if parts are the same edge and one of them is separated, the longest
 /// stays.
-std::vector<bool> repeated(const std::vector<Part>& parts) {
+std::vector<bool> repeated(const std::vector<EdgePart>& parts) {
   std::vector<std::size_t> by_left(parts.size());
   std::iota(by_left.begin(), by_left.end(), std::size_t{0});
   std::ranges::stable_sort(by_left, {}, [&](std::size_t i) { return left_end(parts[i].line); });
   std::vector<bool> drop(parts.size(), false);
   for (std::size_t i = 0; i < by_left.size(); ++i) {
-    const Part& a = parts[by_left[i]];
+    const EdgePart& a = parts[by_left[i]];
     for (std::size_t k = i + 1; k < by_left.size(); ++k) {
-      const Part& b = parts[by_left[k]];
+      const EdgePart& b = parts[by_left[k]];
       if (left_end(b.line) > right_end(a.line) + 1.0) break;
       if (!(a.separated || b.separated) || !same_edge(a.line, b.line)) continue;
       const bool a_stays = length(a.line) != length(b.line) ? length(a.line) > length(b.line)
@@ -103,13 +105,13 @@ std::vector<bool> repeated(const std::vector<Part>& parts) {
 std::vector<EdgeTrace> separate_edges(std::vector<EdgeTrace> edges, const cv::Mat& image) {
   const CloseEdgeFinder finder(
       edge_blur_px(image, transformed(edges, line_through)).value_or(kTypicalBlur_px));
-  std::vector<std::vector<Part>> found(edges.size());
+  std::vector<std::vector<EdgePart>> found(edges.size());
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
     Interruption::check();
     found[i] = parts_of(std::move(edges[i]), image, finder);
   });
-  std::vector<Part> parts;
-  for (std::vector<Part>& some : found) {
+  std::vector<EdgePart> parts;
+  for (std::vector<EdgePart>& some : found) {
     std::move(some.begin(), some.end(), std::back_inserter(parts));
   }
   const std::vector<bool> drop = repeated(parts);

@@ -57,17 +57,17 @@ std::vector<std::size_t> places_to_cut(const DepthQuestion& question, const Dept
 }
 
 /// The best horizontal line between two cuts.
-struct Step {
+struct DepthStep {
   double score = kUnreached;
   DepthLine line;
 };
 
 /// The best horizontal line between two cuts.
 /// @param from, to  cuts; none at the ends of the track
-Step best_step(const DepthQuestion& question,
-               const DepthScorer& scorer,
-               std::optional<std::size_t> from,
-               std::optional<std::size_t> to) {
+DepthStep best_step(const DepthQuestion& question,
+                    const DepthScorer& scorer,
+                    std::optional<std::size_t> from,
+                    std::optional<std::size_t> to) {
   const auto is_cut = [&](const DepthEvidence& e) {
     return (from && scorer.is_at(*from, e)) || (to && scorer.is_at(*to, e));
   };
@@ -75,10 +75,10 @@ Step best_step(const DepthQuestion& question,
     return (!from || e.parameter > question.evidence[*from].parameter) &&
            (!to || e.parameter < question.evidence[*to].parameter);
   };
-  Step best;
+  DepthStep best;
   for (const DepthEvidence& e : question.evidence) {
     if (!is_cut(e) && !is_between(e)) continue;
-    Step step{0.0, {e.x, scorer.horizontal()}};
+    DepthStep step{0.0, {e.x, scorer.horizontal()}};
     for (const DepthEvidence& other : question.evidence) {
       if (is_cut(other)) {
         step.score += scorer.score_near_cut(other, step.line);
@@ -192,7 +192,7 @@ std::optional<DepthProfile> row_profile(const DepthQuestion& question, const Dep
       if (from == 0 && to == end) continue;
       const Way& before = ways[from];
       if (before.score == kUnreached || !is_long_step(question, cut(from), cut(to))) continue;
-      const Step step = best_step(question, scorer, cut(from), cut(to));
+      const DepthStep step = best_step(question, scorer, cut(from), cut(to));
       double log_prior = before.log_prior;
       if (from > 0) {
         log_prior += log_step_prior(before.from == 0, question.options) +

@@ -50,7 +50,8 @@ Eigen::Vector3d DepthScorer::mirrored(const Eigen::Vector3d& direction) const {
   return 2.0 * level.dot(direction) * level - direction;
 }
 
-DepthScorer::Misfit DepthScorer::misfit(const DepthEvidence& e, const DepthLine& line) const {
+DepthScorer::ProfileMisfit DepthScorer::misfit(const DepthEvidence& e,
+                                               const DepthLine& line) const {
   const Eigen::Vector3d across = normal_.cross(line.direction);
   return {unit_m_ * across.dot(e.x - line.through),
           std::hypot(unit_m_ * std::sqrt(across.dot(e.cov * across)),
@@ -58,7 +59,7 @@ DepthScorer::Misfit DepthScorer::misfit(const DepthEvidence& e, const DepthLine&
 }
 
 bool DepthScorer::supports(const DepthEvidence& e, const DepthLine& line) const {
-  const Misfit m = misfit(e, line);
+  const ProfileMisfit m = misfit(e, line);
   return std::abs(m.distance_m) <= kSupportSigma * m.sigma_m;
 }
 
@@ -99,7 +100,7 @@ double DepthScorer::difference_of_ends_m(const DepthProfile& profile) const {
 }
 
 double DepthScorer::score(const DepthEvidence& e, const DepthLine& line) const {
-  const Misfit m = misfit(e, line);
+  const ProfileMisfit m = misfit(e, line);
   const double agreement = bell(m.distance_m / m.sigma_m);
   const bool is_above = m.distance_m * normal_.cross(line.direction).z() > 0.0;
   const double doubt = is_above ? 1.0 - (1.0 - kDoubtAbove) * e.meeting * (1.0 - agreement) : 1.0;
@@ -107,7 +108,7 @@ double DepthScorer::score(const DepthEvidence& e, const DepthLine& line) const {
 }
 
 double DepthScorer::score_near_cut(const DepthEvidence& e, const DepthLine& line) const {
-  const Misfit m = misfit(e, line);
+  const ProfileMisfit m = misfit(e, line);
   return std::log1p(e.prior * (kAgreementGain - 1.0) * bell(m.distance_m / m.sigma_m));
 }
 
@@ -117,7 +118,7 @@ double DepthScorer::score_of_cut(std::size_t cut,
   const DepthEvidence& e = question_.evidence[cut];
   double agreement = 0.0;
   for (const DepthLine& line : {before, after}) {
-    const Misfit m = misfit(e, line);
+    const ProfileMisfit m = misfit(e, line);
     agreement = std::max(agreement, bell(m.distance_m / m.sigma_m));
   }
   return std::log(1.0 - e.prior + e.prior * kAgreementGain * agreement);

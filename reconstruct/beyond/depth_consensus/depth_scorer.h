@@ -75,10 +75,10 @@ class DepthScorer {
                                     const DepthLine& after) const;
 
  private:
-  struct Misfit {
+  struct ProfileMisfit {
     double distance_m, sigma_m;
   };
-  [[nodiscard]] Misfit misfit(const DepthEvidence& evidence, const DepthLine& line) const;
+  [[nodiscard]] ProfileMisfit misfit(const DepthEvidence& evidence, const DepthLine& line) const;
   [[nodiscard]] double height(const DepthLine& line, double parameter) const;
   [[nodiscard]] double other_misclosure(const DepthLine& line) const;
 

@@ -28,15 +28,14 @@ KnownEnds::KnownEnds(const TrackedLines& lines, std::span<const ReconstructedLin
           view.image.image_from_conditioned(project(view.image_from_object, end));
       return Segment2{x_px, x_px};
     });
-    in_image.index = SegmentIndex(in_image.ends_px);
+    in_image.index = BoxIndex2(in_image.ends_px);
   }
 }
 
 std::vector<double> KnownEnds::heights_near(std::size_t view, const Segment2& seen_px) const {
   const InImage& in_image = by_view_[view];
   std::vector<double> heights;
-  for (const int i : in_image.index.near(seen_px, kNearby_px)) {
-    const auto end = static_cast<std::size_t>(i);
+  for (const std::size_t end : in_image.index.near(seen_px, kNearby_px)) {
     if (distance(seen_px, in_image.ends_px[end].start) <= kNearby_px)
       heights.push_back(heights_[end]);
   }

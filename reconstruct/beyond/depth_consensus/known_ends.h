@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/geometry/segment_index.h"
+#include "reconstruct/geometry/box_index.h"
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
 
 #include <span>
@@ -23,7 +23,7 @@ class KnownEnds {
   /// The ends as an image shows them.
   struct InImage {
     std::vector<Segment2> ends_px;  ///< segments of no length
-    SegmentIndex index{{}};
+    BoxIndex2 index;
   };
   std::vector<double> heights_;  ///< by end, conditioned object frame
   std::vector<InImage> by_view_;

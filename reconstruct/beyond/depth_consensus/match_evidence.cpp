@@ -90,7 +90,7 @@ std::array<Eigen::Vector2d, 2> AlignedTrack::places_of(const CandidatePoint& poi
 std::optional<UncertainPoint3> point_in_object(const AlignedTrack& track,
                                                const std::array<Eigen::Vector2d, 2>& x,
                                                double sigma_px) {
-  std::vector<PointObservation> observations;
+  std::vector<ViewedPoint> observations;
   for (std::size_t j = 0; j < 2; ++j) {
     const ConditionedView& view = track.lines.frames.of(track.line.observations[j]);
     observations.push_back({view.image_from_object, end_in_image(track.line.observations[j], x[j],

@@ -3,8 +3,8 @@
 
 #include "reconstruct/beyond/guided_matches/mate_prediction.h"
 #include "reconstruct/beyond/guided_matches/step_along.h"
+#include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/interruption.h"
-#include "reconstruct/geometry/segment_index.h"
 #include "reconstruct/ok2011/extract/edge_segments.h"
 #include "reconstruct/views/edge_look.h"
 
@@ -29,7 +29,7 @@ struct FoundStep {
 };
 
 /// Whether segments run along most of a segment.
-bool is_covered(const Segment2& segment, const SegmentIndex& index, std::span<const Segment2> by) {
+bool is_covered(const Segment2& segment, const BoxIndex2& index, std::span<const Segment2> by) {
   // A segment further off is another edge, or one that blurs two.
   constexpr double kBeside_px = 0.6;
   constexpr double kMaxSlope = 0.15;
@@ -37,8 +37,8 @@ bool is_covered(const Segment2& segment, const SegmentIndex& index, std::span<co
   const Eigen::Vector2d u = along(segment);
   const Eigen::Vector2d n = normal_of(u);
   double covered_px = 0.0;
-  for (const int id : index.near(segment, kBeside_px)) {
-    const Segment2& other = by[static_cast<std::size_t>(id)];
+  for (const std::size_t id : index.near(segment, kBeside_px)) {
+    const Segment2& other = by[id];
     if (std::abs(along(other).dot(n)) > kMaxSlope) continue;
     const double start = u.dot(other.start - segment.start);
     const double end = u.dot(other.end - segment.start);
@@ -86,7 +86,7 @@ std::vector<FoundStep> steps_of(const StereoPair& pair,
     }
   });
   const std::vector<Segment2> segments = ideal_segments(there);
-  const SegmentIndex index(segments);
+  const BoxIndex2 index(segments);
   std::vector<FoundStep> steps;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (!found[i]) continue;
@@ -149,7 +149,7 @@ GuidedMatches guided_matches(const StereoPair& pair,
     for (FoundStep& step : steps) {
       if (step.similarity < options.min_similarity) break;
       if (is_matched[step.guide] != 0 ||
-          is_covered(step.mate.line.segment, SegmentIndex(taken), taken)) {
+          is_covered(step.mate.line.segment, BoxIndex2(taken), taken)) {
         continue;
       }
       is_matched[step.guide] = 1;

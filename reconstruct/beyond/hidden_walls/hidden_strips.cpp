@@ -10,7 +10,7 @@ namespace {
 using Ids = std::array<int, 2>;
 
 /// A pair of images with the close lines of their segments.
-struct Pair {
+struct StripPair {
   const SearchedPair& views;
   const Radiometry& radiometry;
   const std::array<CloseLines, 2>& close;
@@ -39,7 +39,7 @@ double mean_height_m(const Candidate& candidate) {
 }
 
 /// How a point of an image moves as it rises by a metre; zero in the nadir.
-Eigen::Vector2d px_per_m_up(const Pair& pair,
+Eigen::Vector2d px_per_m_up(const StripPair& pair,
                             int image,
                             const Eigen::Vector2d& x_px,
                             double height_m) {
@@ -76,7 +76,7 @@ const Candidate* with_mate(const std::vector<Candidate>& candidates, int right) 
 }
 
 /// The strips of which a candidate is the lower edge, in one of the images.
-void add_strips(const Pair& pair,
+void add_strips(const StripPair& pair,
                 int image,
                 int left,
                 const Candidate& lower,
@@ -119,7 +119,7 @@ Flank& flank(EdgeSegment& edge, int side) { return side == 0 ? edge.left : edge.
 /// The upper candidate with the strip cut out: on the side of the strip it looks as the lower
 /// candidate does beyond the strip. It has no profile across the line, because none can be made
 /// that way.
-Candidate across(const HiddenStrip& strip, const Pair& pair) {
+Candidate across(const HiddenStrip& strip, const StripPair& pair) {
   EdgeLook look;
   const int above = side_of(pair.segment(0, strip.upper[0]), strip.towards_upper[0]);
   look.sides[above] = strip.upper_candidate->look.sides[above];
@@ -138,7 +138,7 @@ Candidate across(const HiddenStrip& strip, const Pair& pair) {
   return candidate;
 }
 
-std::vector<HiddenStrip> hidden_strips(const Pair& pair, const Candidates& candidates) {
+std::vector<HiddenStrip> hidden_strips(const StripPair& pair, const Candidates& candidates) {
   std::vector<HiddenStrip> strips;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     for (const Candidate& candidate : candidates[i]) {
@@ -158,7 +158,7 @@ void compare_across_hidden_strips(const SearchedPair& views,
                                   const std::array<CloseLines, 2>& close,
                                   Candidates& candidates) {
   constexpr double kMinRatio = 0.8;  // similarity of the upper edge over that of the lower one
-  const Pair pair{views, radiometry, close};
+  const StripPair pair{views, radiometry, close};
   Candidates changed = candidates;
   for (const HiddenStrip& strip : hidden_strips(pair, candidates)) {
     const Candidate whole = across(strip, pair);

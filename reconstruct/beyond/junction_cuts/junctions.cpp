@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/junction_cuts/junctions.h"
 
+#include "reconstruct/geometry/box_index.h"
+#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/interruption.h"
-#include "reconstruct/geometry/segment_index.h"
 #include "reconstruct/ok2011/extract/line_sums.h"
 #include "reconstruct/ok2011/extract/straight_pieces.h"
 
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ridgeline::reconstruct {
 namespace {
@@ -21,12 +21,12 @@ constexpr double kMeetingReach_px = 6.0;  ///< an edge ends a little before the 
 constexpr double kGap_px = 3.0;           ///< a strip that crosses an edge interrupts it
 /// In multiples of min_length_px: short parts are matched badly.
 constexpr double kMinPartLength = 2.5;
-constexpr double kMinAngle_rad = 20.0 * std::numbers::pi / 180.0;
+constexpr double kMinAngle_rad = 20.0 * kRadPerDeg;
 
 /// The ends of all edges; end k is of edge k / 2.
 struct Ends {
   std::vector<Segment2> places;  ///< segments of no length
-  SegmentIndex index;
+  BoxIndex2 index;
 };
 
 Ends ends_of(const std::vector<EdgeTrace>& edges) {
@@ -35,7 +35,7 @@ Ends ends_of(const std::vector<EdgeTrace>& edges) {
     for (const EdgeSample& end : {edge.front(), edge.back()})
       places.push_back({end.position_px, end.position_px});
   }
-  return {places, SegmentIndex(places)};
+  return {places, BoxIndex2(places)};
 }
 
 /// The samples of a trace at which other edges end or before which it is interrupted, in order. A
@@ -47,9 +47,10 @@ std::vector<std::size_t> junctions_of(std::size_t edge,
   const EdgeTrace& trace = edges[edge];
   const Eigen::Vector2d& along = axes[edge].along;
   std::vector<bool> touched(trace.size(), false);
-  for (const int k : ends.index.near({trace.front().position_px, trace.back().position_px},
-                                     kMeetingReach_px + 2.0 * axes[edge].max_distance)) {
-    const std::size_t other = static_cast<std::size_t>(k) / 2;
+  for (const std::size_t k :
+       ends.index.near(Segment2{trace.front().position_px, trace.back().position_px},
+                       kMeetingReach_px + 2.0 * axes[edge].max_distance)) {
+    const std::size_t other = k / 2;
     if (other == edge || acute_angle_rad(along, axes[other].along) < kMinAngle_rad) continue;
     for (std::size_t i = 0; i < trace.size(); ++i) {
       const Eigen::Vector2d offset = ends.places[k].start - trace[i].position_px;
@@ -74,14 +75,14 @@ std::vector<std::size_t> junctions_of(std::size_t edge,
 }
 
 /// A run of samples [first, last) and its sums.
-struct Run {
+struct TraceRun {
   std::size_t first = 0, last = 0;
   LineSums sums;
 };
 
 /// How much better two lines fit than one, relative to what a bend needs: the edge bends if this is
 /// 1 or more.
-double bend_of(const Run& a, const Run& b, double least_bend_px) {
+double bend_of(const TraceRun& a, const TraceRun& b, double least_bend_px) {
   // This threshold allows for the two parameters of the second line and for the correlation of edge
   // pixels.
   constexpr double kSignificant = 40.0;
@@ -94,10 +95,10 @@ double bend_of(const Run& a, const Run& b, double least_bend_px) {
 }
 
 /// The parts of an edge between its junctions.
-std::vector<Run> runs_between(const Points& points,
-                              const PrincipalAxes& axes,
-                              const std::vector<std::size_t>& junctions) {
-  std::vector<Run> runs(1);
+std::vector<TraceRun> runs_between(const Points& points,
+                                   const PrincipalAxes& axes,
+                                   const std::vector<std::size_t>& junctions) {
+  std::vector<TraceRun> runs(1);
   const Eigen::Vector2d normal(-axes.along.y(), axes.along.x());
   auto next = junctions.begin();
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -113,7 +114,7 @@ std::vector<Run> runs_between(const Points& points,
 /// Joins the two neighbouring runs for which that costs least, until none costs less than `limit`.
 /// @param cost  cost of joining two neighbours
 template <typename Cost>
-void join(std::vector<Run>& runs, double limit, const Cost& cost) {
+void join(std::vector<TraceRun>& runs, double limit, const Cost& cost) {
   while (runs.size() > 1) {
     double least = limit;
     auto first = runs.end();
@@ -131,11 +132,11 @@ void join(std::vector<Run>& runs, double limit, const Cost& cost) {
 
 /// Joins runs that are too short to the neighbour that they continue best. If two junctions are
 /// close to each other, the one at which the edge changes its course stays.
-void join_short(std::vector<Run>& runs, const Points& points, double shortest_px) {
-  const auto is_short = [&](const Run& run) {
+void join_short(std::vector<TraceRun>& runs, const Points& points, double shortest_px) {
+  const auto is_short = [&](const TraceRun& run) {
     return (points[run.last - 1] - points[run.first]).norm() < shortest_px;
   };
-  join(runs, HUGE_VAL, [&](const Run& a, const Run& b) {
+  join(runs, HUGE_VAL, [&](const TraceRun& a, const TraceRun& b) {
     if (!is_short(a) && !is_short(b)) return HUGE_VAL;
     return (a.sums + b.sums).residual() - a.sums.residual() - b.sums.residual();
   });
@@ -149,13 +150,13 @@ std::vector<EdgeTrace> cut_at_junctions(std::vector<EdgeTrace> edges,
   tbb::parallel_for(std::size_t{0}, edges.size(),
                     [&](std::size_t i) { axes[i] = principal_axes(positions(edges[i])); });
   const Ends ends = ends_of(edges);
-  std::vector<std::vector<Run>> runs(edges.size());
+  std::vector<std::vector<TraceRun>> runs(edges.size());
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
     Interruption::check();
     const Points points = positions(edges[i]);
     runs[i] = runs_between(points, axes[i], junctions_of(i, edges, axes, ends));
     join_short(runs[i], points, kMinPartLength * options.edges.min_length_px);
-    join(runs[i], 1.0, [&](const Run& a, const Run& b) {
+    join(runs[i], 1.0, [&](const TraceRun& a, const TraceRun& b) {
       return bend_of(a, b, options.beyond.min_junction_bend_px);
     });
   });
@@ -166,7 +167,7 @@ std::vector<EdgeTrace> cut_at_junctions(std::vector<EdgeTrace> edges,
       continue;
     }
     const auto begin = edges[i].begin();
-    for (const Run& run : runs[i]) {
+    for (const TraceRun& run : runs[i]) {
       cut.emplace_back(begin + static_cast<std::ptrdiff_t>(run.first),
                        begin + static_cast<std::ptrdiff_t>(run.last));
     }

@@ -57,7 +57,7 @@ void add_colours(const EdgeSegment& left,
 }
 
 double median_misclosure(std::span<const ColourPair> pairs, int band, double gain, double offset) {
-  return median(transformed(pairs, [&](const ColourPair& pair) {
+  return upper_median(transformed(pairs, [&](const ColourPair& pair) {
     return std::abs(pair.left[band] - gain * pair.right[band] - offset);
   }));
 }

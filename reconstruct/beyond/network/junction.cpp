@@ -8,13 +8,13 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-enum class Place { kEnd, kWithin, kBeyond };
+enum class MeetingPlace { kEnd, kWithin, kBeyond };
 
 /// Where the crossings with another line lie on the segments of a line, mean of the images that
 /// show both.
-Place place_of(const ConditionedViews& frames,
-               const ObservedTrack& line,
-               const ObservedTrack& other) {
+MeetingPlace place_of(const ConditionedViews& frames,
+                      const ObservedTrack& line,
+                      const ObservedTrack& other) {
   constexpr double kAtEnd_px = 4.0;
   double to_end_px = 0.0;  // mean of the images: positive beyond the end, negative within
   const std::vector<SeenTogether> views = seen_together(line, other);
@@ -24,8 +24,8 @@ Place place_of(const ConditionedViews& frames,
     const double t = parameter_along(s, view.crossing());
     to_end_px += share * frames.of(view.line).image.scale_px * length(s) * std::max(-t, t - 1.0);
   }
-  if (to_end_px > kAtEnd_px) return Place::kBeyond;
-  return to_end_px < -kAtEnd_px ? Place::kWithin : Place::kEnd;
+  if (to_end_px > kAtEnd_px) return MeetingPlace::kBeyond;
+  return to_end_px < -kAtEnd_px ? MeetingPlace::kWithin : MeetingPlace::kEnd;
 }
 
 }  // namespace
@@ -35,11 +35,13 @@ Junction junction(const ConditionedViews& frames,
                   const ObservedTrack& b,
                   double sigma_meeting_m) {
   constexpr double kCorner = 0.87, kEndOnLine = 0.7, kCrossing = 0.35, kBeyondEnds = 0.45;
-  const Place of_a = place_of(frames, a, b);
-  const Place of_b = place_of(frames, b, a);
-  if (of_a == Place::kBeyond || of_b == Place::kBeyond) return {kBeyondEnds, sigma_meeting_m};
-  if (of_a == Place::kEnd && of_b == Place::kEnd) return {kCorner, 0.5 * sigma_meeting_m};
-  const bool cross = of_a == Place::kWithin && of_b == Place::kWithin;
+  const MeetingPlace of_a = place_of(frames, a, b);
+  const MeetingPlace of_b = place_of(frames, b, a);
+  if (of_a == MeetingPlace::kBeyond || of_b == MeetingPlace::kBeyond)
+    return {kBeyondEnds, sigma_meeting_m};
+  if (of_a == MeetingPlace::kEnd && of_b == MeetingPlace::kEnd)
+    return {kCorner, 0.5 * sigma_meeting_m};
+  const bool cross = of_a == MeetingPlace::kWithin && of_b == MeetingPlace::kWithin;
   return {cross ? kCrossing : kEndOnLine, 0.5 * sigma_meeting_m};
 }
 

@@ -2,10 +2,10 @@
 #include "reconstruct/beyond/network/network.h"
 
 #include "reconstruct/beyond/network/adjustment.h"
+#include "reconstruct/geometry/disjoint_sets.h"
 #include "reconstruct/geometry/interruption.h"
 #include "reconstruct/geometry/transformed.h"
 
-#include <boost/pending/disjoint_sets.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -20,29 +20,30 @@ constexpr int kMaxAdjustmentPasses = 30;
 constexpr double kConverged = 1e-6;  // in standard deviations, as in adjust_line()
 
 /// Lines that a chain of meetings connects, ascending, and their meetings.
-struct Group {
+struct ConnectedLines {
   std::vector<int> lines;
-  std::vector<Meeting> meetings;  ///< their lines are places in Group::lines
+  std::vector<Meeting> meetings;  ///< their lines are places in ConnectedLines::lines
 };
 
-std::vector<Group> connected_groups(std::size_t n_lines, std::span<const Meeting> meetings) {
-  boost::disjoint_sets_with_storage<> sets(n_lines);
+std::vector<ConnectedLines> connected_groups(std::size_t n_lines,
+                                             std::span<const Meeting> meetings) {
+  DisjointSets sets(n_lines);
   for (const Meeting& m : meetings) {
-    sets.union_set(static_cast<std::size_t>(m.first), static_cast<std::size_t>(m.second));
+    sets.join(static_cast<std::size_t>(m.first), static_cast<std::size_t>(m.second));
   }
-  std::map<std::size_t, Group> groups;
+  std::map<std::size_t, ConnectedLines> groups;
   std::vector<int> place(n_lines);
   for (std::size_t i = 0; i < n_lines; ++i) {
-    std::vector<int>& lines = groups[sets.find_set(i)].lines;
+    std::vector<int>& lines = groups[sets.name_of(i)].lines;
     place[i] = static_cast<int>(lines.size());
     lines.push_back(static_cast<int>(i));
   }
   for (const Meeting& m : meetings) {
-    groups[sets.find_set(static_cast<std::size_t>(m.first))].meetings.push_back(
+    groups[sets.name_of(static_cast<std::size_t>(m.first))].meetings.push_back(
         {place[m.first], place[m.second], m.junction});
   }
-  std::vector<Group> result;
-  for (auto& [root, group] : groups) {
+  std::vector<ConnectedLines> result;
+  for (auto& [name, group] : groups) {
     if (!group.meetings.empty()) result.push_back(std::move(group));
   }
   return result;
@@ -100,7 +101,7 @@ bool decide_meetings(NetworkAdjustment& adjustment, const BuildingOptions& optio
 }
 
 /// Whether the lines of a group have converged; then these are their results.
-bool take_results(const Group& group,
+bool take_results(const ConnectedLines& group,
                   NetworkAdjustment& adjustment,
                   std::vector<AdjustedInNetwork>& results) {
   if (!adjustment.converged() || !adjustment.invert()) return false;
@@ -119,13 +120,14 @@ bool take_results(const Group& group,
 }
 
 /// The parts of a group that its accepted meetings connect.
-std::vector<Group> accepted_parts(const Group& group, const NetworkAdjustment& adjustment) {
+std::vector<ConnectedLines> accepted_parts(const ConnectedLines& group,
+                                           const NetworkAdjustment& adjustment) {
   std::vector<Meeting> accepted;
   for (std::size_t m = 0; m < group.meetings.size(); ++m) {
     if (adjustment.weights[m] > 0.0) accepted.push_back(group.meetings[m]);
   }
-  std::vector<Group> parts = connected_groups(group.lines.size(), accepted);
-  for (Group& part : parts) {
+  std::vector<ConnectedLines> parts = connected_groups(group.lines.size(), accepted);
+  for (ConnectedLines& part : parts) {
     for (int& line : part.lines) line = group.lines[line];
   }
   return parts;
@@ -133,11 +135,11 @@ std::vector<Group> accepted_parts(const Group& group, const NetworkAdjustment& a
 
 void adjust_group(const ConditionedViews& frames,
                   std::span<const NetworkLine> lines,
-                  const Group& group,
+                  const ConnectedLines& group,
                   const std::array<double, 2>& heights_m,
                   const BuildingOptions& options,
                   std::vector<AdjustedInNetwork>& results) {
-  const auto adjustment_of = [&](const Group& some) {
+  const auto adjustment_of = [&](const ConnectedLines& some) {
     return NetworkAdjustment(frames,
                              transformed(some.lines, [&](int line) { return &lines[line]; }),
                              some.meetings, heights_m, options.sigma_slope);
@@ -145,7 +147,7 @@ void adjust_group(const ConditionedViews& frames,
   NetworkAdjustment adjustment = adjustment_of(group);
   if (!decide_meetings(adjustment, options) || take_results(group, adjustment, results)) return;
   // A line that does not converge, as its images contradict each other, only spoils its own part.
-  for (const Group& part : accepted_parts(group, adjustment)) {
+  for (const ConnectedLines& part : accepted_parts(group, adjustment)) {
     NetworkAdjustment alone = adjustment_of(part);
     if (alone.minimise(kConverged, kMaxAdjustmentPasses)) take_results(part, alone, results);
   }
@@ -159,7 +161,7 @@ std::vector<AdjustedInNetwork> adjust_network(const ConditionedViews& frames,
                                               const std::array<double, 2>& heights_m,
                                               const BuildingOptions& options) {
   std::vector<AdjustedInNetwork> results(lines.size());
-  const std::vector<Group> groups = connected_groups(lines.size(), meetings);
+  const std::vector<ConnectedLines> groups = connected_groups(lines.size(), meetings);
   tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t g) {
     Interruption::check();
     adjust_group(frames, lines, groups[g], heights_m, options, results);

@@ -18,7 +18,7 @@ std::optional<SparseInverse> SparseInverse::of(const Eigen::SparseMatrix<double>
   const auto n = static_cast<std::size_t>(factor.cols());
   result.columns_.resize(n);
   for (std::size_t j = 0; j < n; ++j) {
-    Column& column = result.columns_[j];
+    SparseColumn& column = result.columns_[j];
     column.diagonal = diagonal(static_cast<Eigen::Index>(j));
     for (Eigen::SparseMatrix<double>::InnerIterator it(factor, static_cast<Eigen::Index>(j)); it;
          ++it) {
@@ -37,12 +37,12 @@ Eigen::VectorXd SparseInverse::solve(const Eigen::VectorXd& right) const {
   Eigen::VectorXd x(n);
   for (Eigen::Index i = 0; i < n; ++i) x(place_[static_cast<std::size_t>(i)]) = right(i);
   for (Eigen::Index j = 0; j < n; ++j) {
-    const Column& column = columns_[static_cast<std::size_t>(j)];
+    const SparseColumn& column = columns_[static_cast<std::size_t>(j)];
     for (std::size_t k = 0; k < column.rows.size(); ++k)
       x(column.rows[k]) -= column.factor[k] * x(j);
   }
   for (Eigen::Index j = n; j-- > 0;) {
-    const Column& column = columns_[static_cast<std::size_t>(j)];
+    const SparseColumn& column = columns_[static_cast<std::size_t>(j)];
     x(j) /= column.diagonal;
     for (std::size_t k = 0; k < column.rows.size(); ++k)
       x(j) -= column.factor[k] * x(column.rows[k]);
@@ -54,7 +54,7 @@ Eigen::VectorXd SparseInverse::solve(const Eigen::VectorXd& right) const {
 
 double SparseInverse::inverse_at(int row, int column) const {
   if (row == column) return columns_[static_cast<std::size_t>(column)].inverse_diagonal;
-  const Column& c = columns_[static_cast<std::size_t>(std::min(row, column))];
+  const SparseColumn& c = columns_[static_cast<std::size_t>(std::min(row, column))];
   const int wanted = std::max(row, column);
   const auto found = std::lower_bound(c.rows.begin(), c.rows.end(), wanted);
   if (found == c.rows.end() || *found != wanted) {
@@ -67,7 +67,7 @@ double SparseInverse::inverse_at(int row, int column) const {
 /// L_kj Z_ik.
 void SparseInverse::invert() {
   for (std::size_t j = columns_.size(); j-- > 0;) {
-    Column& column = columns_[j];
+    SparseColumn& column = columns_[j];
     column.inverse.resize(column.rows.size());
     for (std::size_t i = 0; i < column.rows.size(); ++i) {
       double sum = 0.0;

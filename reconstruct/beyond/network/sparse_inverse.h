@@ -27,7 +27,7 @@ class SparseInverse {
 
  private:
   /// A column of the unit lower triangular factor below its diagonal, rows ascending.
-  struct Column {
+  struct SparseColumn {
     std::vector<int> rows;
     std::vector<double> factor, inverse;
     double diagonal = 0.0;          ///< diagonal element of D
@@ -35,7 +35,7 @@ class SparseInverse {
   };
   [[nodiscard]] double inverse_at(int row, int column) const;
 
-  std::vector<Column> columns_;
+  std::vector<SparseColumn> columns_;
   std::vector<int> place_;  ///< place of each unknown in the order of elimination
   bool is_inverted_ = false;
 };

@@ -32,7 +32,7 @@ std::optional<double> noise_of(const cv::Mat& image, const cv::Mat& is_valid) {
     }
   }
   if (sizes.empty()) return std::nullopt;
-  return median(std::move(sizes)) / (kGain * kMedianOfNormal);
+  return upper_median(std::move(sizes)) / (kGain * kMedianOfNormal);
 }
 
 /// @param view  its segments are those of the scale

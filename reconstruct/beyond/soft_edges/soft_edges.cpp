@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/soft_edges/soft_edges.h"
 
+#include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/degrees.h"
-#include "reconstruct/geometry/segment_index.h"
 #include "reconstruct/geometry/transformed.h"
 #include "reconstruct/ok2011/extract/edge_blur.h"
 #include "reconstruct/views/reduced_view.h"
@@ -66,15 +66,14 @@ double common_px(const Segment2& edge, const Segment2& segment, double tolerance
 std::vector<EdgeSegment> merged(std::span<const EdgeSegment> finer,
                                 std::span<const EdgeSegment> wider) {
   const std::vector<Segment2> lines = transformed(finer, &EdgeSegment::in_image);
-  const SegmentIndex index(lines);
+  const BoxIndex2 index(lines);
   std::vector<char> is_piece(finer.size(), 0);
   std::vector<EdgeSegment> all;
   for (const EdgeSegment& edge : wider) {
     const double length_px = length(edge.in_image);
     std::vector<std::size_t> pieces;
     double longest_px = 0.0;
-    for (const int id : index.near(edge.in_image, edge.scale_px)) {
-      const auto i = static_cast<std::size_t>(id);
+    for (const std::size_t i : index.near(edge.in_image, edge.scale_px)) {
       const double on_edge_px = common_px(edge.in_image, lines[i], edge.scale_px);
       longest_px = std::max(longest_px, on_edge_px);
       if (on_edge_px > kMinShareOnEdge * length(lines[i])) pieces.push_back(i);

@@ -22,13 +22,13 @@ namespace {
 constexpr double kMaxDisparities = 4096.0;
 
 /// Disparities of a tile, [least, least + n).
-struct Range {
+struct SearchRange {
   int least = 0, n = 0;
 };
 
-Range range_of(const Rectification& r,
-               const cv::Rect& tile,
-               const std::array<double, 2>& heights_m) {
+SearchRange range_of(const Rectification& r,
+                     const cv::Rect& tile,
+                     const std::array<double, 2>& heights_m) {
   double low = HUGE_VAL;
   double high = -HUGE_VAL;
   for (const int x : {tile.x, tile.x + tile.width}) {
@@ -40,7 +40,7 @@ Range range_of(const Rectification& r,
       }
     }
   }
-  Range range;
+  SearchRange range;
   if (!(high - low < kMaxDisparities)) return range;
   range.least = static_cast<int>(std::floor(low)) - 1;
   constexpr int kStep = kHierarchicalStep;
@@ -79,10 +79,10 @@ class Matching {
     const cv::Rect whole(cv::Point(), rectification_.size);
     const int m = options_.margin_px;
     const cv::Rect around = (tile + cv::Size(2 * m, 2 * m) - cv::Point(m, m)) & whole;
-    const Range range = range_of(rectification_, around, pair_.height_range_in_local_m);
+    const SearchRange range = range_of(rectification_, around, pair_.height_range_in_local_m);
     if (range.n == 0) return;
-    const Part left = rectified(0, around);
-    const Part right = rectified(
+    const RectifiedPart left = rectified(0, around);
+    const RectifiedPart right = rectified(
         1, {around.x - range.least - range.n, around.y, around.width + range.n, around.height});
     const cv::Mat found = hierarchical_disparities(left.image, right.image, range.n);
     for (int y = tile.y; y < tile.y + tile.height; ++y) {
@@ -100,7 +100,7 @@ class Matching {
 
  private:
   /// A part of a rectified view.
-  struct Part {
+  struct RectifiedPart {
     cv::Mat image;
     cv::Mat from;  ///< the pixel of the file that each rectified pixel shows
     cv::Size size_of_file;
@@ -112,11 +112,11 @@ class Matching {
     }
   };
 
-  [[nodiscard]] Part rectified(std::size_t view, const cv::Rect& part) const {
-    Part result{{},
-                image_from_rectified(rectification_.rectified_from_ideal[view],
-                                     pair_.views[view]->ideal_from_image, part),
-                bytes_[view].size()};
+  [[nodiscard]] RectifiedPart rectified(std::size_t view, const cv::Rect& part) const {
+    RectifiedPart result{{},
+                         image_from_rectified(rectification_.rectified_from_ideal[view],
+                                              pair_.views[view]->ideal_from_image, part),
+                         bytes_[view].size()};
     cv::remap(bytes_[view], result.image, result.from, cv::noArray(), cv::INTER_CUBIC,
               cv::BORDER_CONSTANT);
     return result;

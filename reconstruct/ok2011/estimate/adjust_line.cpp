@@ -57,13 +57,15 @@ struct LineEquations {
 };
 
 /// The entities that determine a line, and the sigma of its slope if it is horizontal.
-struct LineConditions {
+struct AdjustedConditions {
   std::span<const UncertainPlane3> planes;
   std::span<const UncertainPoint3> points;
   std::optional<double> sigma_slope;
 };
 
-LineEquations line_equations(const LineConditions& conditions, const Vector6d& line, int dominant) {
+LineEquations line_equations(const AdjustedConditions& conditions,
+                             const Vector6d& line,
+                             int dominant) {
   const RowPair in_plane = line_in_plane_rows(dominant);
   const RowPair on_line = point_on_line_rows(dominant);
   const Incidence plane{pi_matrix, in_plane, select_rows(gamma_matrix(line), in_plane)};
@@ -109,7 +111,7 @@ Increment solve(const LineEquations& n, const Vector6d& line) {
 
 /// The null vector of all conditions, stacked without weights. Horizontality is one of them,
 /// because the iteration does not find it from a vertical line.
-Vector6d start_line(const LineConditions& c) {
+Vector6d start_line(const AdjustedConditions& c) {
   Eigen::Matrix<double, Eigen::Dynamic, 6> stacked(4 * (c.planes.size() + c.points.size()) + 1, 6);
   Eigen::Index row = 0;
   for (const UncertainPlane3& plane : c.planes) {
@@ -139,7 +141,7 @@ struct Linearised {
   LineEquations normal;
 };
 
-Linearised linearise(const LineConditions& conditions,
+Linearised linearise(const AdjustedConditions& conditions,
                      const Vector6d& line,
                      std::optional<int> previous_dominant) {
   const int dominant =
@@ -158,7 +160,7 @@ std::optional<AdjustedLine> adjust_line(std::span<const UncertainPlane3> planes,
   constexpr double kConvergedSigma = 1e-6;
   if (planes.size() + points.size() < 2) return std::nullopt;
 
-  const LineConditions conditions{planes, points, sigma_slope};
+  const AdjustedConditions conditions{planes, points, sigma_slope};
   Linearised current = linearise(conditions, start_line(conditions), std::nullopt);
   if (!current.line.allFinite()) return std::nullopt;
   AdjustedLine result;

@@ -18,7 +18,7 @@ using Vector5d = Eigen::Matrix<double, 5, 1>;
 /// One image point within the adjustment. The two rows of S(x) P X = 0 stay those of the largest
 /// component of the observed x.
 struct Adjusted {
-  const PointObservation& observation;
+  const ViewedPoint& observation;
   RowPair rows;
   Eigen::Vector3d fitted;  ///< l_0: the adjusted observation so far
 };
@@ -32,7 +32,7 @@ struct Conditions {
   Eigen::Matrix2d weight;                   ///< W = (B' cov_l B)^-1
 };
 
-Adjusted start_values(const PointObservation& observation) {
+Adjusted start_values(const ViewedPoint& observation) {
   Eigen::Index largest = 0;
   observation.point.mean.cwiseAbs().maxCoeff(&largest);
   const int k = static_cast<int>(largest);
@@ -50,7 +50,7 @@ Conditions linearise(const Adjusted& image, const Eigen::Vector4d& x) {
   return c;
 }
 
-Eigen::Vector4d first_guess(std::span<const PointObservation> observations) {
+Eigen::Vector4d first_guess(std::span<const ViewedPoint> observations) {
   Eigen::Matrix<double, Eigen::Dynamic, 4> stacked(3 * observations.size(), 4);
   for (std::size_t j = 0; j < observations.size(); ++j) {
     stacked.middleRows<3>(static_cast<Eigen::Index>(3 * j)) =
@@ -85,14 +85,14 @@ NormalEquations normal_equations(std::span<const Conditions> conditions, const E
 
 }  // namespace
 
-std::optional<EstimatedPoint> estimate_point(std::span<const PointObservation> observations) {
+std::optional<EstimatedPoint> estimate_point(std::span<const ViewedPoint> observations) {
   constexpr int kMaxPasses = 10;
   constexpr double kConverged = 1e-10;  // change of the unit vector; 1e-8 m in a patch of 100 m
   check(observations.size() >= 2, "estimate_point: observations = ", observations.size(),
         ", must be at least 2");
 
   std::vector<Adjusted> images;
-  for (const PointObservation& observation : observations) {
+  for (const ViewedPoint& observation : observations) {
     images.push_back(start_values(observation));
   }
   Eigen::Vector4d x = first_guess(observations);

@@ -10,7 +10,7 @@
 namespace ridgeline::reconstruct {
 
 /// An image point and the camera that saw it, in the conditioned frames.
-struct PointObservation {
+struct ViewedPoint {
   ProjectionMatrix image_from_object;
   UncertainPoint2 point;  ///< spherically normalised
 };
@@ -28,6 +28,6 @@ struct EstimatedPoint {
 /// starts from the null vector of the stacked S(x_j) P_j. Two observations or more are needed; they
 /// count as uncorrelated. Empty if it does not converge in ten passes or the point is not
 /// determined. Throws std::invalid_argument for fewer than two observations.
-std::optional<EstimatedPoint> estimate_point(std::span<const PointObservation> observations);
+std::optional<EstimatedPoint> estimate_point(std::span<const ViewedPoint> observations);
 
 }  // namespace ridgeline::reconstruct

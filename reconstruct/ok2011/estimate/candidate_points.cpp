@@ -54,7 +54,7 @@ std::optional<CandidatePoint> candidate_point(const TrackedLines& lines,
   const double weight = point_weight(measures(lines.frames, both), options);
   if (weight <= 0.0) return std::nullopt;
 
-  std::vector<PointObservation> observations;
+  std::vector<ViewedPoint> observations;
   for (std::size_t j = 0; j < both.seen.size(); ++j)
     observations.push_back({lines.frames.of(both.seen[j].line).image_from_object, both.x[j]});
   const std::optional<EstimatedPoint> estimated = estimate_point(observations);

@@ -63,7 +63,7 @@ UncertainSegment3 joined(const UncertainLine3& line, const Endpoint& start, cons
 }
 
 /// How far along a line a view shows it, at one end.
-struct Reach {
+struct EndReach {
   Endpoint end;
   double parameter = 0.0;  ///< along the line, in the direction of the end looked for
   double sigma = 0.0;      ///< of the parameter
@@ -71,11 +71,11 @@ struct Reach {
 
 /// The farthest end that two views show: of the views that agree with the second farthest one, the
 /// middle one.
-Endpoint end_of_two_views(std::vector<Reach> by_view) {
+Endpoint end_of_two_views(std::vector<EndReach> by_view) {
   constexpr double kAgreeingSigma = 3.0;
-  std::ranges::sort(by_view, std::greater{}, &Reach::parameter);
-  const Reach second = by_view[1];
-  std::erase_if(by_view, [&](const Reach& r) {
+  std::ranges::sort(by_view, std::greater{}, &EndReach::parameter);
+  const EndReach second = by_view[1];
+  std::erase_if(by_view, [&](const EndReach& r) {
     return std::abs(r.parameter - second.parameter) >
            kAgreeingSigma * std::hypot(r.sigma, second.sigma);
   });
@@ -88,25 +88,25 @@ std::optional<UncertainSegment3> part_of_two_views(const ConditionedViews& frame
                                                    const ObservedTrack& track,
                                                    const UncertainLine3& line,
                                                    const Segment3& base) {
-  std::map<std::size_t, std::array<Reach, 2>> by_view;  // towards the start, towards the end
+  std::map<std::size_t, std::array<EndReach, 2>> by_view;  // towards the start, towards the end
   for (const ObservedLine& observed : track.observations) {
-    std::array<Reach, 2> ends;
+    std::array<EndReach, 2> ends;
     for (const auto& [i, x] :
          {std::pair(0, observed.segment.start), std::pair(1, observed.segment.end)})
       ends[i].end = endpoint(line, end_plane(frames.of(observed), observed, x));
-    for (Reach& r : ends) r.parameter = parameter_along(base, r.end.point.hnormalized());
+    for (EndReach& r : ends) r.parameter = parameter_along(base, r.end.point.hnormalized());
     if (ends[0].parameter > ends[1].parameter) std::swap(ends[0], ends[1]);
     const double sigma =
         observed.sigma_e * (ends[1].parameter - ends[0].parameter) / length(observed.segment);
     ends[0].parameter *= -1.0;
-    for (Reach& r : ends) r.sigma = sigma;
+    for (EndReach& r : ends) r.sigma = sigma;
     const auto [known, is_first] = by_view.try_emplace(observed.view, ends);
     if (is_first) continue;
     for (const std::size_t i : {0U, 1U}) {
       if (ends[i].parameter > known->second[i].parameter) known->second[i] = ends[i];
     }
   }
-  std::array<std::vector<Reach>, 2> reaches;
+  std::array<std::vector<EndReach>, 2> reaches;
   for (const auto& [view, ends] : by_view) {
     for (const std::size_t i : {0U, 1U}) reaches[i].push_back(ends[i]);
   }

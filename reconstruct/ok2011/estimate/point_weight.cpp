@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/estimate/point_weight.h"
 
+#include "reconstruct/geometry/degrees.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <tuple>
 
@@ -27,7 +28,7 @@ PairMeasures smallest_of_each(std::span<const PairMeasures> images) {
 }
 
 double point_weight(const PairMeasures& measures, const ReconstructOptions& options) {
-  const double angle_deg = measures.angle_rad * 180.0 / std::numbers::pi;
+  const double angle_deg = measures.angle_rad / kRadPerDeg;
   if (!(angle_deg > options.min_pair_angle_deg)) return 0.0;
   return std::exp(-measures.distance_px / (2.0 * options.sigma_distance_px) -
                   measures.epipolar_distance_px / (2.0 * options.sigma_epipolar_px));

@@ -2,6 +2,7 @@
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
 
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/interruption.h"
 #include "reconstruct/geometry/transformed.h"
 #include "reconstruct/ok2011/estimate/adjust_line.h"
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 namespace ridgeline::reconstruct {
 namespace {
@@ -40,8 +40,7 @@ void classify(const TrackedLines& lines,
               const ReconstructOptions& options,
               ReconstructedLine& result) {
   result.epipolar_angle_rad = epipolar_angle_rad(lines.frames, lines.lines[line]);
-  const bool aligned =
-      result.epipolar_angle_rad * 180.0 / std::numbers::pi <= options.max_aligned_angle_deg;
+  const bool aligned = result.epipolar_angle_rad / kRadPerDeg <= options.max_aligned_angle_deg;
   result.line_class = aligned ? LineClass::kAligned : LineClass::kNotAligned;
 }
 

@@ -58,7 +58,7 @@ std::optional<double> median_blur(const cv::Mat& image,
     }
   }
   if (blurs.size() < kMinEdges) return std::nullopt;
-  return median(std::move(blurs));
+  return upper_median(std::move(blurs));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ constexpr double kRefitGrowth = 1.2;
 constexpr double kMinRelativeStrength = 0.3;  ///< share of the trace's median strength
 
 double median_strength(const EdgeTrace& trace) {
-  return median(transformed(trace, &EdgeSample::strength));
+  return upper_median(transformed(trace, &EdgeSample::strength));
 }
 
 }  // namespace
@@ -29,14 +29,14 @@ std::vector<Eigen::Vector2d> positions(const EdgeTrace& trace) {
 }
 
 /// A line as a function of a row or of a column.
-struct LineTracer::Line {
+struct LineTracer::TracedLine {
   bool steep = false;  ///< whether steps are rows
   Eigen::Vector2d along, normal;
   double at_zero = 0.0, slope = 0.0;
 
-  explicit Line(const PrincipalAxes& axes)
-      : Line(axes, std::abs(axes.along.y()) > std::abs(axes.along.x())) {}
-  Line(const PrincipalAxes& axes, bool in_rows) : steep(in_rows), along(axes.along) {
+  explicit TracedLine(const PrincipalAxes& axes)
+      : TracedLine(axes, std::abs(axes.along.y()) > std::abs(axes.along.x())) {}
+  TracedLine(const PrincipalAxes& axes, bool in_rows) : steep(in_rows), along(axes.along) {
     normal = {-along.y(), along.x()};
     const int major = steep ? 1 : 0;
     slope = along[1 - major] / along[major];
@@ -44,7 +44,9 @@ struct LineTracer::Line {
   }
   /// Fits the line to samples. Steps keep their meaning, although the nearer axis may change near
   /// 45 degrees.
-  void refit(const EdgeTrace& trace) { *this = Line(principal_axes(positions(trace)), steep); }
+  void refit(const EdgeTrace& trace) {
+    *this = TracedLine(principal_axes(positions(trace)), steep);
+  }
 
   [[nodiscard]] double minor_at(int step) const { return at_zero + slope * step; }
   [[nodiscard]] cv::Point pixel(int step, int minor) const {
@@ -61,7 +63,7 @@ struct LineTracer::Line {
 LineTracer::LineTracer(const GradientImage& image, const ExtractOptions& options)
     : image_(image), options_(options), claimed_(image.gradient.size(), CV_8UC1, cv::Scalar(0)) {}
 
-std::optional<EdgeSample> LineTracer::sample(const Line& line,
+std::optional<EdgeSample> LineTracer::sample(const TracedLine& line,
                                              int step,
                                              double min_strength) const {
   const cv::Mat& gradient = image_.gradient;
@@ -94,7 +96,7 @@ std::optional<EdgeSample> LineTracer::sample(const Line& line,
   return best;
 }
 
-EdgeTrace LineTracer::samples_between(const Line& line, int first, int last) const {
+EdgeTrace LineTracer::samples_between(const TracedLine& line, int first, int last) const {
   EdgeTrace trace;
   for (int step = first; step <= last; ++step) {
     if (const auto found = sample(line, step, 0.0)) trace.push_back(*found);
@@ -108,7 +110,7 @@ bool LineTracer::claimed(const EdgeSample& sample) const {
   return claimed_.at<std::uint8_t>(pixel) != 0;
 }
 
-void LineTracer::extend(EdgeTrace& trace, Line& line, int direction) const {
+void LineTracer::extend(EdgeTrace& trace, TracedLine& line, int direction) const {
   const double relative = kMinRelativeStrength * median_strength(trace);
   std::size_t refit_at = static_cast<std::size_t>(kRefitGrowth * double(trace.size()));
   EdgeTrace beyond;
@@ -135,7 +137,7 @@ void LineTracer::extend(EdgeTrace& trace, Line& line, int direction) const {
 }
 
 std::optional<EdgeTrace> LineTracer::trace(std::span<const Eigen::Vector2d> points) const {
-  Line line(principal_axes(points));
+  TracedLine line(principal_axes(points));
   const auto [first, last] =
       std::minmax({line.step_of(points.front()), line.step_of(points.back())});
   EdgeTrace found = samples_between(line, first, last);

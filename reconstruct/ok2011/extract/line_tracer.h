@@ -40,14 +40,14 @@ class LineTracer {
   void claim(const EdgeTrace& trace);
 
  private:
-  struct Line;
+  struct TracedLine;
 
-  [[nodiscard]] std::optional<EdgeSample> sample(const Line& line,
+  [[nodiscard]] std::optional<EdgeSample> sample(const TracedLine& line,
                                                  int step,
                                                  double min_strength) const;
-  [[nodiscard]] EdgeTrace samples_between(const Line& line, int first, int last) const;
+  [[nodiscard]] EdgeTrace samples_between(const TracedLine& line, int first, int last) const;
   [[nodiscard]] bool claimed(const EdgeSample& sample) const;
-  void extend(EdgeTrace& trace, Line& line, int direction) const;
+  void extend(EdgeTrace& trace, TracedLine& line, int direction) const;
 
   const GradientImage& image_;
   const ExtractOptions& options_;

@@ -20,16 +20,16 @@ float median_strength(const cv::Mat& gradient) {
     const auto* row = gradient.ptr<cv::Vec2f>(y);
     for (int x = 0; x < gradient.cols; ++x) squares.push_back(row[x].dot(row[x]));
   }
-  return std::sqrt(median(std::move(squares)));
+  return std::sqrt(upper_median(std::move(squares)));
 }
 
 /// The block whose middle is before a pixel, the next block, and the share of the next one.
-struct Position {
+struct GridPosition {
   int first, second;
   float share;
 };
 
-Position position(int x, int n_blocks) {
+GridPosition position(int x, int n_blocks) {
   const float u = (static_cast<float>(x) + 0.5F) / NoiseGrid::kBlock_px - 0.5F;
   const float inside = std::clamp(u, 0.0F, static_cast<float>(n_blocks - 1));
   const int first = static_cast<int>(inside);
@@ -41,7 +41,7 @@ int place_in_block(int x) {
   return remainder < 0 ? remainder + NoiseGrid::kBlock_px : remainder;
 }
 
-float between(const cv::Mat& blocks, const Position& column, const Position& row) {
+float between(const cv::Mat& blocks, const GridPosition& column, const GridPosition& row) {
   const auto along_row = [&](int r) {
     const auto* values = blocks.ptr<float>(r);
     return values[column.first] + column.share * (values[column.second] - values[column.first]);
@@ -72,13 +72,13 @@ float NoiseGrid::at(int x, int y) const {
 }
 
 cv::Mat NoiseGrid::in(const cv::Rect& area) const {
-  std::vector<Position> columns;
+  std::vector<GridPosition> columns;
   columns.reserve(static_cast<std::size_t>(area.width));
   for (int x = area.x; x < area.br().x; ++x)
     columns.push_back(position(x + in_block_.x, blocks_.cols));
   cv::Mat values(area.size(), CV_32FC1);
   for (int y = 0; y < area.height; ++y) {
-    const Position row = position(area.y + y + in_block_.y, blocks_.rows);
+    const GridPosition row = position(area.y + y + in_block_.y, blocks_.rows);
     auto* out = values.ptr<float>(y);
     for (int x = 0; x < area.width; ++x) out[x] = between(blocks_, columns[x], row);
   }

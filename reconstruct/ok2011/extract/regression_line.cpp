@@ -18,7 +18,7 @@ constexpr double kMinLineSigma_px = 0.02;
 
 double median_absolute(std::vector<double> values) {
   for (double& value : values) value = std::abs(value);
-  return median(std::move(values));
+  return upper_median(std::move(values));
 }
 
 bool at_end(std::size_t i, std::size_t n) {
@@ -151,7 +151,7 @@ EdgeNoise edge_noise(std::span<const RegressionLine> lines) {
     if (line.weight.size() < kMinForStatistics) continue;
     variances.push_back(variance_px2(line, noise.correlation));
   }
-  noise.variance_px2 = median(std::move(variances));
+  noise.variance_px2 = upper_median(std::move(variances));
   return noise;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/match/base_pairs.h"
 
-#include "reconstruct/geometry/segment_index.h"
+#include "reconstruct/geometry/box_index.h"
+#include "reconstruct/geometry/degrees.h"
 
 #include <tbb/parallel_for.h>
 
@@ -20,31 +21,31 @@ struct Partner {
 
 /// The partners of a segment within a radius, nearest first.
 std::vector<Partner> partners_within(double radius_px,
-                                     int segment,
+                                     std::size_t segment,
                                      std::span<const Segment2> segments,
-                                     const SegmentIndex& index,
+                                     const BoxIndex2& index,
                                      double min_angle_rad) {
   const Segment2& own = segments[segment];
   std::vector<Partner> partners;
-  for (const int other : index.near(own, radius_px)) {
+  for (const std::size_t other : index.near(own, radius_px)) {
     if (other == segment) continue;
     const Segment2& mate = segments[other];
     if (distance(own, mate) > radius_px) continue;
     const std::optional<Eigen::Vector2d> x = intersection(own, mate, min_angle_rad);
     if (!x) continue;
     const double reach_px = std::max(distance(own, *x), distance(mate, *x));
-    if (reach_px <= radius_px) partners.push_back({reach_px, other});
+    if (reach_px <= radius_px) partners.push_back({reach_px, static_cast<int>(other)});
   }
   std::ranges::sort(partners, {},
                     [](const Partner& p) { return std::pair(p.reach_px, p.segment); });
   return partners;
 }
 
-std::vector<Partner> partners_of(int segment,
+std::vector<Partner> partners_of(std::size_t segment,
                                  std::span<const Segment2> segments,
-                                 const SegmentIndex& index,
+                                 const BoxIndex2& index,
                                  const MatchOptions& options) {
-  const double min_angle_rad = options.min_pair_angle_deg * M_PI / 180.0;
+  const double min_angle_rad = options.min_pair_angle_deg * kRadPerDeg;
   double radius_px = options.first_pair_radius_px;
   while (true) {
     std::vector<Partner> partners =
@@ -63,11 +64,10 @@ std::vector<Partner> partners_of(int segment,
 }  // namespace
 
 std::vector<BasePair> base_pairs(std::span<const Segment2> segments, const MatchOptions& options) {
-  const SegmentIndex index(segments);
+  const BoxIndex2 index(segments);
   std::vector<std::vector<Partner>> partners(segments.size());
-  tbb::parallel_for(std::size_t{0}, segments.size(), [&](std::size_t i) {
-    partners[i] = partners_of(static_cast<int>(i), segments, index, options);
-  });
+  tbb::parallel_for(std::size_t{0}, segments.size(),
+                    [&](std::size_t i) { partners[i] = partners_of(i, segments, index, options); });
   std::vector<BasePair> pairs;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     for (const Partner& partner : partners[i]) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/match/constraints.h"
 
+#include "reconstruct/geometry/degrees.h"
+
 #include <Eigen/LU>
 
 #include <cmath>
@@ -10,8 +12,8 @@ namespace {
 
 // Spreads of the geometric constraints between correct pairs, for surfaces inclined by up to 45
 // degrees and a base to height ratio of 0.26 (O). The argument `spread` multiplies them.
-constexpr double kAngleSigma_rad = 5.0 * M_PI / 180.0;
-constexpr double kDirectionSigma_rad = 8.0 * M_PI / 180.0;
+constexpr double kAngleSigma_rad = 5.0 * kRadPerDeg;
+constexpr double kDirectionSigma_rad = 8.0 * kRadPerDeg;
 constexpr double kExtentLogSigma = 0.15;
 
 double gaussian(double residual, double sigma) {

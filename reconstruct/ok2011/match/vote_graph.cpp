@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/match/vote_graph.h"
 
-#include "reconstruct/geometry/segment_index.h"
+#include "reconstruct/geometry/box_index.h"
 
 #include <tbb/parallel_for.h>
 
@@ -75,16 +75,16 @@ void add_links(VoteGraph& graph, std::span<const PairMatch> pairs) {
   }
 }
 
-std::vector<NearSegment> neighbours_of(int segment,
+std::vector<NearSegment> neighbours_of(std::size_t segment,
                                        std::span<const Segment2> segments,
-                                       const SegmentIndex& index) {
+                                       const BoxIndex2& index) {
   constexpr double kReach_px = 60.0;
   constexpr std::size_t kMaxNeighbours = 12;
   const Segment2& own = segments[segment];
   std::vector<NearSegment> neighbours;
-  for (const int other : index.near(own, kReach_px)) {
+  for (const std::size_t other : index.near(own, kReach_px)) {
     if (other == segment) continue;
-    const NearSegment neighbour = closest(own, other, segments[other]);
+    const NearSegment neighbour = closest(own, static_cast<int>(other), segments[other]);
     if (neighbour.distance_px <= kReach_px) neighbours.push_back(neighbour);
   }
   std::ranges::stable_sort(neighbours, {}, &NearSegment::distance_px);
@@ -94,10 +94,10 @@ std::vector<NearSegment> neighbours_of(int segment,
 
 void add_neighbours(VoteGraph& graph, const View& left) {
   const std::vector<Segment2> segments = ideal_segments(left);
-  const SegmentIndex index(segments);
+  const BoxIndex2 index(segments);
   graph.neighbours.resize(segments.size());
   tbb::parallel_for(std::size_t{0}, segments.size(), [&](std::size_t i) {
-    graph.neighbours[i] = neighbours_of(static_cast<int>(i), segments, index);
+    graph.neighbours[i] = neighbours_of(i, segments, index);
   });
 }
 

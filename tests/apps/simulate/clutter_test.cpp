@@ -199,7 +199,7 @@ TEST(Clutter, AnObjectHasNoTrueDistance) {
 
 std::size_t parts_of_all(const Scene& scene) {
   std::size_t n = 0;
-  for (const Building& building : scene.buildings) n += building.footprint.size();
+  for (const SceneBuilding& building : scene.buildings) n += building.footprint.size();
   return n;
 }
 
@@ -210,7 +210,7 @@ TEST(Clutter, AnnexesAreLowerThanTheirHouses) {
   options.annex_share = 1.0;
   const Scene scene = make_village(options);
   EXPECT_GT(parts_of_all(scene), parts_before + scene.buildings.size() / 2);
-  for (const Building& building : scene.buildings) {
+  for (const SceneBuilding& building : scene.buildings) {
     double lowest_eave_m = 1e9, ridge_m = -1e9;
     for (const SceneLine& line : scene.lines) {
       if (line.building_id != building.id) continue;

@@ -74,10 +74,10 @@ TEST(ClipPolygon, NothingLeftIsEmpty) {
 
 TEST(ClipInterval, KeepsThePartInsideInEitherDirection) {
   const PlanFunction right{{1.0, 0.0}, -1.0};  // x >= 1
-  const Interval forward = clip({}, {{0.0, 0.0}, {4.0, 0.0}}, right);
+  const PlanInterval forward = clip({}, {{0.0, 0.0}, {4.0, 0.0}}, right);
   EXPECT_NEAR(forward.begin, 0.25, kTol);
   EXPECT_EQ(forward.end, 1.0);
-  const Interval backward = clip({}, {{4.0, 0.0}, {0.0, 0.0}}, right);
+  const PlanInterval backward = clip({}, {{4.0, 0.0}, {0.0, 0.0}}, right);
   EXPECT_EQ(backward.begin, 0.0);
   EXPECT_NEAR(backward.end, 0.75, kTol);
 }
@@ -89,8 +89,8 @@ TEST(ClipInterval, ParallelSegmentIsAllOrNothing) {
 }
 
 TEST(Subtract, CutsMiddleEndsAndAll) {
-  const std::vector<Interval> whole{{0.0, 1.0}};
-  const std::vector<Interval> middle = subtract(whole, {0.25, 0.5});
+  const std::vector<PlanInterval> whole{{0.0, 1.0}};
+  const std::vector<PlanInterval> middle = subtract(whole, {0.25, 0.5});
   ASSERT_EQ(middle.size(), 2U);
   EXPECT_EQ(middle[0].end, 0.25);
   EXPECT_EQ(middle[1].begin, 0.5);

@@ -109,7 +109,7 @@ TEST(ReferenceMatches, HoldTheRoofOfAHouse) {
   const test::ObservedScene o = test::observed(test::gabled_house(35.0, 20.0));
   const SurfaceOracle oracle(o.scene, o.views);
   std::map<std::string, int> kinds;
-  for (const ReferenceEdge& match : reference_matches(test::measured_edges(o, oracle))) {
+  for (const io::ReferenceEdge& match : reference_matches(test::measured_edges(o, oracle))) {
     ++kinds[match.kind];
   }
   EXPECT_EQ(kinds["ridge"], 1);
@@ -129,9 +129,9 @@ TEST(ReferenceMatches, ShowOneSurfaceInBothImages) {
   const auto matches = reference_matches(test::measured_edges(o, oracle));
   ASSERT_GT(matches.size(), 50U);
   std::size_t good = 0;
-  for (const ReferenceEdge& match : matches) {
+  for (const io::ReferenceEdge& match : matches) {
     EXPECT_GE(std::min(length(match.base), length(match.other)), 10.0) << match.kind;
-    const MatchVerdict verdict = judge_match(oracle, match.base, match.other);
+    const VisibleVerdict verdict = judge_match(oracle, match.base, match.other);
     good += verdict.right_distance_px < kTolPx ? 1 : 0;
   }
   // in the rest another body hides both flanks in one view
@@ -146,7 +146,7 @@ TEST(JudgeMatch, TellsAFalsePairAndAShadowEdge) {
     return project(views[view].image_from_local, s);
   };
   const Segment3 edge{{8, 12, 4}, {12, 12, 4}};
-  const MatchVerdict good = judge_match(oracle, in(kLeft, edge), in(kRight, edge));
+  const VisibleVerdict good = judge_match(oracle, in(kLeft, edge), in(kRight, edge));
   EXPECT_LT(good.right_distance_px, 0.05);
   EXPECT_GT(good.overlap_share, 0.95);
 

@@ -180,7 +180,7 @@ TEST(TrueFaces, RoofsAreTheHighestSurfaceOfABuildingAndCoverItOnce) {
   const Scene scene = village_of_all_types(5);
   test::Random rng(7);
   std::size_t num_inside = 0;
-  for (const Building& building : scene.buildings) {
+  for (const SceneBuilding& building : scene.buildings) {
     const Eigen::Vector2d middle = building.footprint[0][0];
     for (int i = 0; i < 400; ++i) {
       const Eigen::Vector2d x =

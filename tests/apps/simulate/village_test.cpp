@@ -111,7 +111,7 @@ TEST_P(EachSeed, TrueLinesAndJointsCloseEveryRoof) {
   const test::TopSurface top(scene);
   Random random({GetParam().first, 99});
   int changes = 0;
-  for (const Building& building : scene.buildings) {
+  for (const SceneBuilding& building : scene.buildings) {
     const Eigen::Vector2d centre = building.footprint.front().front();
     for (int transect = 0; transect < 4; ++transect) {
       const double phi = random.uniform(0.0, std::numbers::pi);
@@ -148,13 +148,13 @@ TEST_P(EachSeed, TrueLinesAndJointsCloseEveryRoof) {
 TEST_P(EachSeed, HousesKeepApartAndInside) {
   const Scene scene = scene_of_seed();
   ASSERT_GE(scene.buildings.size(), 8U);
-  for (const Building& a : scene.buildings) {
+  for (const SceneBuilding& a : scene.buildings) {
     for (const ConvexPolygon& outline : a.roof_footprint) {
       for (const Eigen::Vector2d& corner : outline) {
         EXPECT_TRUE((corner.array() >= 0.0).all() &&
                     (corner.array() <= scene.extent_m.array()).all());
       }
-      for (const Building& b : scene.buildings) {
+      for (const SceneBuilding& b : scene.buildings) {
         const bool row_mates =
             a.type == RoofType::kRow && b.type == RoofType::kRow && std::abs(a.id - b.id) <= 2;
         if (a.id == b.id || row_mates) continue;
@@ -204,7 +204,7 @@ TEST(MakeVillage, BuildsEachRoofTypeOverTenSeeds) {
   std::set<LineKind> kinds;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const Scene scene = village(seed);
-    for (const Building& building : scene.buildings) types.insert(building.type);
+    for (const SceneBuilding& building : scene.buildings) types.insert(building.type);
     for (const SceneLine& line : scene.lines) kinds.insert(line.kind);
   }
   EXPECT_EQ(types.size(), static_cast<std::size_t>(kNumRoofTypes));
@@ -214,7 +214,7 @@ TEST(MakeVillage, BuildsEachRoofTypeOverTenSeeds) {
 TEST(MakeVillage, BuildsOnlyTheRoofTypesAskedFor) {
   VillageOptions options;
   options.roof_types = {RoofType::kHipped, RoofType::kShed};
-  for (const Building& building : make_village(options).buildings) {
+  for (const SceneBuilding& building : make_village(options).buildings) {
     EXPECT_TRUE(building.type == RoofType::kHipped || building.type == RoofType::kShed);
   }
 }
@@ -223,7 +223,7 @@ TEST(MakeVillage, DormersAndChimneysOfAHouseKeepApartBelowItsRidge) {
   VillageOptions options;
   options.roof_types = {RoofType::kGabledDormers, RoofType::kShedDormers};
   const Scene scene = make_village(options);
-  for (const Building& building : scene.buildings) {
+  for (const SceneBuilding& building : scene.buildings) {
     const std::vector<ConvexPolygon>& parts = building.roof_footprint;
     ASSERT_GE(parts.size(), 3U);  // house, a dormer, a chimney
     for (std::size_t i = 1; i < parts.size(); ++i) {
@@ -309,7 +309,7 @@ TEST(MakeVillage, AlignedShareRulesTheRidgesParallelToX) {
   for (const double share : {0.0, 1.0}) {
     VillageOptions options;
     options.aligned_share = share;
-    for (const Building& building : make_village(options).buildings) {
+    for (const SceneBuilding& building : make_village(options).buildings) {
       EXPECT_EQ(std::abs(std::sin(building.ridge_azimuth_rad)) < 1e-12, share == 1.0);
     }
   }
@@ -320,7 +320,7 @@ TEST(MakeVillage, PitchesKeepToTheirRange) {
   options.min_pitch_deg = 20.0;
   options.max_pitch_deg = 30.0;
   options.roof_types = {RoofType::kGabled, RoofType::kHipped, RoofType::kLShaped, RoofType::kRow};
-  for (const Building& building : make_village(options).buildings) {
+  for (const SceneBuilding& building : make_village(options).buildings) {
     EXPECT_GE(building.pitch_rad, 20.0 * std::numbers::pi / 180.0);
     EXPECT_LE(building.pitch_rad, 30.0 * std::numbers::pi / 180.0);
   }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/match/base_pairs.h"
 
-#include "reconstruct/geometry/segment_index.h"
-#include "tests/support/random.h"
-
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -77,38 +74,6 @@ TEST(BasePairs, KeepTheNearestOfMany) {
     if (pair.first == 0) with_first.push_back(pair.second);
   }
   EXPECT_THAT(with_first, ElementsAre(5, 6, 7, 8));
-}
-
-TEST(SegmentIndex, FindsAllSegmentsThatABruteForceSearchFinds) {
-  test::Random random(3);
-  std::vector<Segment2> segments;
-  for (int i = 0; i < 300; ++i) {
-    const Eigen::Vector2d start(random.uniform(-50, 500), random.uniform(-50, 500));
-    segments.push_back(
-        {start, start + Eigen::Vector2d(random.uniform(-80, 80), random.uniform(-80, 80))});
-  }
-  const SegmentIndex index(segments);
-  for (int trial = 0; trial < 200; ++trial) {
-    const Eigen::Vector2d low(random.uniform(-100, 500), random.uniform(-100, 500));
-    const Eigen::AlignedBox2d box(
-        low, low + Eigen::Vector2d(random.uniform(0, 90), random.uniform(0, 90)));
-    const std::vector<int> found = index.in_box(box);
-    EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-      bool inside = false;
-      for (double t = 0.0; t <= 1.0; t += 0.01) {
-        inside = inside || box.contains((1.0 - t) * segments[i].start + t * segments[i].end);
-      }
-      if (!inside) continue;
-      EXPECT_TRUE(std::binary_search(found.begin(), found.end(), static_cast<int>(i)));
-    }
-  }
-}
-
-TEST(SegmentIndex, OfNothingFindsNothing) {
-  const SegmentIndex index({});
-  EXPECT_THAT(index.in_box(Eigen::AlignedBox2d(Eigen::Vector2d(0, 0), Eigen::Vector2d(9, 9))),
-              IsEmpty());
 }
 
 }  // namespace
