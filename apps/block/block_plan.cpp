@@ -2,27 +2,15 @@
 #include "apps/block/block_plan.h"
 
 #include "io/error.h"
-#include "io/files/input_file.h"
-#include "io/files/sha256.h"
 #include "io/files/text_file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
-#include <filesystem>
-
 namespace ridgeline::apps {
-namespace fs = std::filesystem;
 using nlohmann::json;
 using nlohmann::ordered_json;
 namespace {
-
-std::int64_t modified_ns(const std::string& path) {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             fs::last_write_time(path).time_since_epoch())
-      .count();
-}
 
 ordered_json json_of(const Eigen::AlignedBox2d& box) {
   return {box.min().x(), box.min().y(), box.max().x(), box.max().y()};
@@ -33,7 +21,7 @@ Eigen::AlignedBox2d box_of(const json& numbers) {
           Eigen::Vector2d(numbers.at(2), numbers.at(3))};
 }
 
-ordered_json json_of(const PlannedFile& file) {
+ordered_json json_of(const FileState& file) {
   return {{"role", file.role},
           {"path", file.path},
           {"bytes", file.bytes},
@@ -41,7 +29,7 @@ ordered_json json_of(const PlannedFile& file) {
           {"sha256", file.sha256}};
 }
 
-PlannedFile file_of(const json& entry) {
+FileState file_of(const json& entry) {
   return {entry.at("role"), entry.at("path"), entry.at("bytes"), entry.at("modified_ns"),
           entry.at("sha256")};
 }
@@ -139,23 +127,11 @@ BlockPlan read_block_plan(const std::string& path) {
   }
 }
 
-PlannedFile planned_file(const std::string& role, const std::string& path, bool with_hash) {
-  io::require_regular_file(path);
-  return {role, path, fs::file_size(path), modified_ns(path),
-          with_hash ? io::sha256_of_file(path) : ""};
-}
-
-void check_unchanged(const PlannedFile& file) {
-  const PlannedFile now = planned_file(file.role, file.path, false);
-  if (now.bytes == file.bytes && now.modified_ns == file.modified_ns) return;
-  const bool is_same = now.bytes == file.bytes && !file.sha256.empty() &&
-                       io::sha256_of_file(file.path) == file.sha256;
-  if (is_same) return;
-  throw io::IoError(
-      file.path, fmt::format("has changed since the block was planned ({} bytes, then {}); put it "
-                             "back, or remove plan.json to plan again: finished patches that it "
-                             "does not touch are kept",
-                             now.bytes, file.bytes));
+void require_unchanged(const FileState& file) {
+  if (is_unchanged(file)) return;
+  throw io::IoError(file.path,
+                    "has changed since the block was planned; put it back, or remove plan.json to "
+                    "plan again: finished patches that it does not touch are kept");
 }
 
 }  // namespace ridgeline::apps

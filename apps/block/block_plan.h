@@ -1,30 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "apps/pipeline/made_from.h"
 #include "reconstruct/block/patch_grid.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <array>
-#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace ridgeline::apps {
 
-/// A file that a block is made of, as it was when it was planned.
-struct PlannedFile {
-  std::string role;  ///< see results::RunRecord::add_input()
-  std::string path;
-  std::uint64_t bytes = 0;
-  std::int64_t modified_ns = 0;  ///< time of the last change, by the clock of the file system
-  std::string sha256;            ///< empty of LIDAR, which is not read whole for the plan
-};
-
 /// A frame with the values that become 0 and 1, by band.
 struct PlannedFrame {
-  PlannedFile file;
+  FileState file;
   std::string id;
   std::vector<std::array<double, 2>> radiometry;
 };
@@ -53,7 +44,7 @@ struct BlockPlan {
   std::vector<Eigen::Vector2d>
       area_m;                         ///< convex, counter-clockwise; empty if the block states none
   Eigen::AlignedBox2d extent_m;       ///< of all squares, with and without views
-  std::vector<PlannedFile> inputs;    ///< all but frames
+  std::vector<FileState> inputs;      ///< all but frames
   std::vector<PlannedFrame> frames;   ///< that a patch uses
   std::vector<PlannedPatch> patches;  ///< in the order of their squares
   std::size_t n_without_views = 0;    ///< squares that fewer than two images show
@@ -68,11 +59,7 @@ std::string to_json(const BlockPlan& plan);
 /// Throws IoError for a file that to_json() did not make.
 BlockPlan read_block_plan(const std::string& path);
 
-/// The file as it is now, with its hash if `with_hash`. Throws IoError if it is missing.
-PlannedFile planned_file(const std::string& role, const std::string& path, bool with_hash);
-
-/// Throws IoError if the file is missing or not what it was. A new time of change alone is no
-/// change, if the hash is known.
-void check_unchanged(const PlannedFile& file);
+/// Throws IoError unless is_unchanged().
+void require_unchanged(const FileState& file);
 
 }  // namespace ridgeline::apps

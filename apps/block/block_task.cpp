@@ -2,97 +2,90 @@
 #include "apps/block/block_task.h"
 
 #include "apps/block/plan_block.h"
+#include "apps/pipeline/complete_patch.h"
 #include "apps/pipeline/parameters.h"
-#include "apps/pipeline/stage_cache.h"
 #include "apps/run/patch_stages.h"
 #include "apps/run/run_patches.h"
 #include "io/files/atomic_file.h"
-#include "io/files/sha256.h"
 #include "io/files/text_file.h"
 #include "io/project/write_patch.h"
-#include "io/results/version.h"
+#include "reconstruct/geometry/plan_box.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 
 namespace ridgeline::apps {
 namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kStage = "lines";
+
+}  // namespace
 
 BlockTask::BlockTask(const fs::path& folder,
-                     const PlannedPatch& planned,
+                     const io::BlockFile& block,
                      const BlockPlan& plan,
+                     const PlannedPatch& planned,
                      const RunOptions& options)
-    : folder_(folder / "tasks" / planned.id), planned_(planned), plan_(plan), options_(options) {}
+    : folder_(folder / "tasks" / planned.id),
+      options_(options),
+      patch_(patch_of(block, plan, planned)) {
+  for (const std::string& id : planned.images)
+    frames_.push_back(std::ranges::find(plan.frames, id, &PlannedFrame::id)->file);
+}
 
 /// A new plan of the same block leaves the key as it is for all patches that it does not change.
 std::string BlockTask::key() const {
   std::vector<std::string> parts{
-      results::kVersion,
-      results::kGitHash,
-      planned_.id,
-      plan_.crs,
-      echo(options_.parameters).dump(),
-      fmt::format("{} {}", options_.max_image_mpx, options_.max_y_parallax_px)};
-  for (const double x :
-       {planned_.area_m.min().x(), planned_.area_m.min().y(), planned_.area_m.max().x(),
-        planned_.area_m.max().y(), planned_.height_range_m[0], planned_.height_range_m[1]})
-    parts.push_back(fmt::format("{}", x));
+      patch_.id, patch_.crs.definition, echo(options_.parameters).dump(),
+      fmt::format("{} {} {}", options_.max_image_mpx, options_.max_y_parallax_px,
+                  fmt::join(patch_.height_range_m, " "))};
+  for (const Eigen::Vector2d& corner : patch_.area_m)
+    parts.push_back(fmt::format("{} {}", corner.x(), corner.y()));
   for (const reconstruct::Method method : options_.methods)
     parts.emplace_back(reconstruct::name(method));
   for (const auto matcher : options_.parameters.method.matching.matchers)
     parts.emplace_back(reconstruct::name(matcher));
-  for (const std::string& id : planned_.images) {
-    const auto frame = std::ranges::find(plan_.frames, id, &PlannedFrame::id);
-    parts.push_back(id + " " + frame->file.sha256);
-  }
-  for (const PlannedFile& file : plan_.inputs) {
-    if (file.role == "orientation") parts.push_back(file.sha256);
-  }
-  return stage_key(parts);
+  for (std::size_t i = 0; i < frames_.size(); ++i)
+    parts.push_back(key_of_view(patch_.images[i], frames_[i].sha256));
+  return key_of(parts);
+}
+
+std::vector<std::string> BlockTask::line_files() const {
+  return transformed(options_.methods, [&](reconstruct::Method method) {
+    return patch_.id + "/" + PatchStages::line_file(method);
+  });
 }
 
 std::string BlockTask::lines_path(reconstruct::Method method) const {
-  return path(planned_.id + "/" + PatchStages::line_file(method));
-}
-
-std::map<std::string, std::string> BlockTask::hashes_of_lines() const {
-  std::map<std::string, std::string> hashes;
-  for (const reconstruct::Method method : options_.methods)
-    hashes[reconstruct::name(method)] = io::sha256_of_file(lines_path(method));
-  return hashes;
+  return path(patch_.id + "/" + PatchStages::line_file(method));
 }
 
 bool BlockTask::is_done() const {
-  if (!fs::exists(path("done.json"))) return false;
-  try {
-    const auto done = nlohmann::json::parse(io::read_text_file(path("done.json")));
-    return done.at("key") == key() && done.at("lines") == nlohmann::json(hashes_of_lines());
-  } catch (const std::exception&) {  // a file cut short or gone: the task runs again
-    return false;
-  }
+  return MadeFrom(folder_).is_done(kStage, key()) && std::ranges::all_of(frames_, is_unchanged);
 }
 
-void BlockTask::run(const io::BlockFile& block) const {
-  const io::PatchFile patch = patch_of(block, plan_, planned_);
+void BlockTask::run() const {
   RunOptions options = options_;
   options.resume = true;
   options.report = false;
   results::RunRecord record("block");
-  for (const std::string& id : planned_.images) {
-    const PlannedFrame& frame = *std::ranges::find(plan_.frames, id, &PlannedFrame::id);
-    check_unchanged(frame.file);
-    record.know_hash(frame.file.path, frame.file.sha256);
+  for (const FileState& frame : frames_) {
+    require_unchanged(frame);
+    record.know_hash(frame.path, frame.sha256);
   }
-  const Eigen::AlignedBox2d& area = planned_.area_m;
+  io::PatchFile patch = patch_;
+  complete_patch(patch);
+  const Eigen::AlignedBox2d area = box_around(patch.area_m);
   io::write_patch(
       patch_path(), patch,
       {.area_m = std::array{area.min().x(), area.min().y(), area.max().x(), area.max().y()}});
   (void)write_patches({patch_path()}, options, folder_.string(), record);
-  const nlohmann::ordered_json done{{"key", key()}, {"lines", hashes_of_lines()}};
-  io::write_file(path("done.json"), done.dump(1) + "\n");
+  MadeFrom(folder_).set_done(kStage, key(), line_files());
   fs::remove(path("failed.txt"));
 }
 
@@ -106,8 +99,8 @@ std::string BlockTask::reason() const {
     while (text.ends_with('\n')) text.pop_back();
     return text;
   }
-  return fs::exists(path("done.json"))
-             ? "was run with other options or files, or its lines have changed"
+  return fs::exists(path(kStagesFile))
+             ? "was run with other options, poses or files, or its lines have changed"
              : "has not been run";
 }
 

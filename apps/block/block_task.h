@@ -6,32 +6,32 @@
 #include "io/project/block_file.h"
 
 #include <filesystem>
-#include <map>
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace ridgeline::apps {
 
 /// The task of one patch, in a folder of its own:
 ///   patch.yaml   the patch, as `ridgeline run` takes it
 ///   ID/, ...     what `ridgeline run patch.yaml --resume` writes
-///   done.json    what it was made of, and the hashes of its lines; written last
+///   stages.json  what the lines were made from, and their hashes; written last (MadeFrom)
 ///   failed.txt   why it failed the last time
 class BlockTask {
  public:
   /// `folder`: of the block's results. `options`: of all tasks.
   BlockTask(const std::filesystem::path& folder,
-            const PlannedPatch& planned,
+            const io::BlockFile& block,
             const BlockPlan& plan,
+            const PlannedPatch& planned,
             const RunOptions& options);
 
-  /// Whether the task is finished with these options and this plan, and its lines are still as it
-  /// wrote them.
+  /// Whether the task is finished with these options, this plan and the block's cameras and poses,
+  /// its frames are as they were planned, and its lines still as it wrote them.
   [[nodiscard]] bool is_done() const;
 
   /// Reconstructs the lines of the patch. Throws IoError, also for a frame that has changed since
   /// the plan.
-  void run(const io::BlockFile& block) const;
+  void run() const;
 
   [[nodiscard]] std::string patch_path() const { return path("patch.yaml"); }
   /// The lines of a method. The task must be done.
@@ -46,12 +46,12 @@ class BlockTask {
     return (folder_ / name).string();
   }
   [[nodiscard]] std::string key() const;
-  [[nodiscard]] std::map<std::string, std::string> hashes_of_lines() const;
+  [[nodiscard]] std::vector<std::string> line_files() const;
 
   std::filesystem::path folder_;
-  const PlannedPatch& planned_;
-  const BlockPlan& plan_;
   const RunOptions& options_;
+  std::vector<FileState> frames_;  ///< by image of the patch
+  io::PatchFile patch_;            ///< without windows
 };
 
 }  // namespace ridgeline::apps

@@ -54,17 +54,17 @@ class FramesBlock final : public BlockSteps {
 
   [[nodiscard]] Foreseen foreseen_of_merge() const override {
     std::uint64_t lidar_bytes = 0;
-    for (const PlannedFile& file : plan_->inputs) {
+    for (const FileState& file : plan_->inputs) {
       if (file.role == "cloud") lidar_bytes += file.bytes;
     }
     return apps::foreseen_of_merge(n_tasks(), lidar_bytes);
   }
 
   void run_task(std::size_t i) override {
-    const BlockTask task(folder_, plan_->patches.at(i), *plan_, options_);
+    const BlockTask task(folder_, block_, *plan_, plan_->patches.at(i), options_);
     if (task.is_done()) return;
     try {
-      task.run(block_);
+      task.run();
     } catch (const std::exception& error) {
       keep_failure(task, error.what());
       throw;
@@ -89,8 +89,9 @@ class FramesBlock final : public BlockSteps {
     }
   }
 
-  /// Takes the plan that is there. Throws IoError if it is of another block, or if inputs have
-  /// changed since. Frames are checked by the tasks that use them.
+  /// Takes the plan that is there. Throws IoError if it is of another block, or if what it was made
+  /// from has changed since; then the message names the file that changed, if it is a listed one.
+  /// Frames are checked by the tasks that use them.
   void take_plan() {
     plan_ = read_block_plan(plan_path());
     if (plan_->block_file != block_.patch.path) {
@@ -99,12 +100,13 @@ class FramesBlock final : public BlockSteps {
                                     "another one by --out",
                                     plan_->block_file));
     }
-    for (const PlannedFile& file : plan_->inputs) check_unchanged(file);
-    if (plan_->key == key_of(block_, planned_inputs(block_))) return;
+    if (plan_->key == key_of_plan(block_, planned_inputs(block_))) return;
+    for (const FileState& file : plan_->inputs) require_unchanged(file);
     for (const PlannedFrame& frame : plan_->frames) io::require_regular_file(frame.file.path);
     throw io::IoError(plan_path(),
-                      "was made of other files, or by another version of the program; remove it to "
-                      "plan again: finished patches that stay as they are are kept");
+                      "was made from other poses, cameras or files, or by another version of the "
+                      "program; remove it to plan again: finished patches that stay as they are "
+                      "are kept");
   }
 
   fs::path folder_;

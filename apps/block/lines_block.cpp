@@ -3,7 +3,7 @@
 
 #include "apps/block/lines_plan.h"
 #include "apps/evaluate/write_evaluation.h"
-#include "apps/pipeline/stage_cache.h"
+#include "apps/pipeline/made_from.h"
 #include "io/error.h"
 #include "io/files/atomic_file.h"
 #include "io/project/lines_block_file.h"
@@ -180,7 +180,7 @@ class LinesBlock final : public BlockSteps {
   /// Writes the lines of each task, so that a task need not read those of all.
   void write_parts(const LinesPlan& plan, const Opened& opened) const {
     const std::vector<results::LineNumbers> numbers = numbers_of(plan, opened);
-    const std::string key = stage_key({plan.to_json()});
+    const std::string key = key_of({plan.to_json()});
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       results::write_part(
           lines_path(i), key,
@@ -213,7 +213,7 @@ class LinesBlock final : public BlockSteps {
   [[nodiscard]] const LinesPlan& the_plan() const {
     if (!plan_) {
       plan_ = read_lines_plan(plan_path());
-      plan_key_ = stage_key({plan_->to_json()});
+      plan_key_ = key_of({plan_->to_json()});
     }
     return *plan_;
   }
@@ -238,7 +238,7 @@ class LinesBlock final : public BlockSteps {
   }
   /// What a task's results depend on, as a hash.
   [[nodiscard]] std::string task_key(std::size_t i) const {
-    return stage_key({plan_key(), std::to_string(i)});
+    return key_of({plan_key(), std::to_string(i)});
   }
 
   [[nodiscard]] std::uint64_t memory_bytes() const { return options_.cloud_memory_mib << 20U; }

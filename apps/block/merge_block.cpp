@@ -55,7 +55,7 @@ class BlockMerge {
         record_("block"),
         out_(folder, inputs()) {
     for (const PlannedPatch& patch : plan.patches)
-      tasks_.emplace_back(folder, patch, plan, options);
+      tasks_.emplace_back(folder, block, plan, patch, options);
   }
 
   std::size_t run() {
@@ -72,7 +72,7 @@ class BlockMerge {
 
  private:
   [[nodiscard]] std::vector<std::string> inputs() const {
-    std::vector<std::string> paths = transformed(plan_.inputs, &PlannedFile::path);
+    std::vector<std::string> paths = transformed(plan_.inputs, &FileState::path);
     for (const PlannedFrame& frame : plan_.frames) paths.push_back(frame.file.path);
     return paths;
   }
@@ -314,10 +314,7 @@ class BlockMerge {
 
   void write_record() {
     record_.set("page", to_json(options_.page));
-    for (const PlannedFile& file : plan_.inputs) {
-      if (!file.sha256.empty()) record_.know_hash(file.path, file.sha256);
-      record_.add_input({file.role, file.path});
-    }
+    for (const FileState& file : plan_.inputs) record_.add_input({file.role, file.path});
     for (const PlannedFrame& frame : plan_.frames) {
       record_.know_hash(frame.file.path, frame.file.sha256);
       record_.add_input({frame.file.role, frame.file.path});

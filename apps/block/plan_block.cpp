@@ -5,12 +5,10 @@
 #include "apps/block/foreseen.h"
 #include "apps/pipeline/area_views.h"
 #include "apps/pipeline/check_patch.h"
-#include "apps/pipeline/complete_patch.h"
 #include "apps/pipeline/image_points.h"
 #include "apps/pipeline/patch_scene.h"
-#include "apps/pipeline/stage_cache.h"
 #include "io/error.h"
-#include "io/results/version.h"
+#include "io/gdal/surface_heights.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/plan_box.h"
 #include "reconstruct/geometry/transformed.h"
@@ -148,7 +146,7 @@ std::vector<PlannedFrame> frames_of(const io::BlockFile& block,
     if (used.contains(image.id)) frames.push_back({{"image", image.path, 0, 0, ""}, image.id, {}});
   }
   tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t i) {
-    frames[i].file = planned_file("image", frames[i].file.path, true);
+    frames[i].file = state_of("image", frames[i].file.path, true);
     frames[i].radiometry = radiometry_of(frames[i].file.path);
   });
   return frames;
@@ -188,24 +186,34 @@ io::BlockFile read_block(const std::string& path) {
   return block;
 }
 
-std::vector<PlannedFile> planned_inputs(const io::BlockFile& block) {
-  std::vector<PlannedFile> files;
-  for (const results::InputFile& input : input_files(block.patch)) {
-    if (input.role == "image") continue;
-    const bool is_small = input.role != "cloud" && input.role != "surface_model";
-    const std::string role = input.role == "patch" ? "block" : input.role;
-    files.push_back(planned_file(role, input.path, is_small));
+std::vector<FileState> planned_inputs(const io::BlockFile& block) {
+  std::vector<results::InputFile> inputs = input_files(block.patch);
+  std::erase_if(inputs, [](const auto& input) { return input.role == "image"; });
+  if (block.patch.surface_model) {
+    for (const std::string& file : io::files_beside_surface_model(*block.patch.surface_model))
+      inputs.push_back({"surface_model", file});
   }
-  return files;
+  return transformed(inputs, [](const results::InputFile& input) {
+    const bool is_small = input.role != "cloud" && input.role != "surface_model";
+    return state_of(input.role == "patch" ? "block" : input.role, input.path, is_small);
+  });
 }
 
-std::string key_of(const io::BlockFile& block, const std::vector<PlannedFile>& inputs) {
-  std::vector<std::string> parts{results::kVersion, results::kGitHash,
-                                 fmt::format("{}", block.patch.max_image_mpx)};
-  for (const PlannedFile& file : inputs)
-    parts.push_back(fmt::format("{} {} {}", file.path, file.bytes, file.sha256));
-  for (const io::PatchImage& image : block.patch.images) parts.push_back(image.path);
-  return stage_key(parts);
+std::string key_of_plan(const io::BlockFile& block, const std::vector<FileState>& inputs) {
+  const io::PatchFile& patch = block.patch;
+  std::vector<std::string> parts{
+      patch.crs.definition,
+      fmt::format("{} {} {} {} {} {}", patch.max_image_mpx, patch.max_views, block.patch_size_m,
+                  block.overlap_m, static_cast<int>(patch.heights),
+                  fmt::join(patch.height_range_m, " "))};
+  for (const Eigen::Vector2d& corner : patch.area_m)
+    parts.push_back(fmt::format("{} {}", corner.x(), corner.y()));
+  for (const io::PatchImage& image : patch.images) parts.push_back(key_of_view(image, image.path));
+  for (const FileState& file : inputs) {
+    if (file.role == "cloud" || file.role == "surface_model")
+      parts.push_back(fmt::format("{} {} {}", file.path, file.bytes, file.modified_ns));
+  }
+  return key_of(parts);
 }
 
 BlockPlan plan_block(const io::BlockFile& block) {
@@ -217,7 +225,7 @@ BlockPlan plan_block(const io::BlockFile& block) {
   plan.overlap_m = block.overlap_m;
   plan.area_m = block.patch.area_m;
   plan.inputs = planned_inputs(block);
-  plan.key = key_of(block, plan.inputs);
+  plan.key = key_of_plan(block, plan.inputs);
   plan.warnings = warnings_of(block);
   const BlockHeights heights(block.patch, block.overlap_m);
   const Eigen::AlignedBox2d extent = extent_of(block.patch, heights);
@@ -259,7 +267,6 @@ io::PatchFile patch_of(const io::BlockFile& block,
     patch.images.push_back(*image);
     patch.images.back().radiometry = frame->radiometry;
   }
-  complete_patch(patch);
   return patch;
 }
 

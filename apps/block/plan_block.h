@@ -13,12 +13,13 @@ namespace ridgeline::apps {
 /// as it does.
 io::BlockFile read_block(const std::string& path);
 
-/// The files that a block is made of but its frames, the block file first; patterns are expanded.
-std::vector<PlannedFile> planned_inputs(const io::BlockFile& block);
+/// The files that a block is made of but its frames, the block file first; patterns are expanded,
+/// and files beside a surface model are listed, too.
+std::vector<FileState> planned_inputs(const io::BlockFile& block);
 
-/// The key of a plan: equal for blocks whose frames have the same names, and whose other inputs
-/// have the same names, sizes and, where they are known, hashes.
-std::string key_of(const io::BlockFile& block, const std::vector<PlannedFile>& inputs);
+/// The key of a plan: of the cameras and poses of all frames, the area, the heights, or the files
+/// that they are taken from, and the sizes. Frames count by their paths; each task checks its own.
+std::string key_of_plan(const io::BlockFile& block, const std::vector<FileState>& inputs);
 
 /// Cuts a block into patches. Their squares lie at multiples of the size of a patch and cover the
 /// area; without an area the places that the images show, or where the LIDAR lies if the heights
@@ -34,8 +35,8 @@ std::string key_of(const io::BlockFile& block, const std::vector<PlannedFile>& i
 /// read.
 BlockPlan plan_block(const io::BlockFile& block);
 
-/// The patch of a plan as a patch file states it, with a window and the radiometry of every image.
-/// `block`: of the plan.
+/// The patch of a plan: its frames with their radiometry, area and heights; windows are still to be
+/// decided by complete_patch(). `block`: of the plan.
 io::PatchFile patch_of(const io::BlockFile& block,
                        const BlockPlan& plan,
                        const PlannedPatch& planned);

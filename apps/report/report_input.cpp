@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/report/report_input.h"
 
+#include "apps/pipeline/made_from.h"
 #include "apps/pipeline/patch_matching.h"
 #include "apps/pipeline/patch_scene.h"
-#include "apps/pipeline/stage_cache.h"
 #include "apps/report/display_image.h"
 #include "apps/report/evaluated_patches.h"
 #include "apps/report/path_shortener.h"
@@ -46,7 +46,7 @@ void read_pair(const std::string& file, const ViewPair& views, ReportImages& ima
 void read_tracks_and_pairs(const fs::path& folder,
                            const std::vector<std::string>& ids,
                            ReportImages& images) {
-  const StageCache stages(folder, true);
+  const MadeFrom stages(folder);
   if (const auto tracks = stages.written_file(kMatchStage, "tracks.csv")) {
     images.tracks = io::read_tracks(*tracks, ids);
   }
@@ -160,7 +160,7 @@ void read_points(const std::vector<std::string>& files,
 
 /// Reads the points of the surface that the run kept, if there are any.
 void read_surface(const fs::path& folder, ReportPatch& patch) {
-  const auto file = StageCache(folder, true).written_file(kSurfaceStage, kSurfaceFile);
+  const auto file = MadeFrom(folder).written_file(kSurfaceStage, kSurfaceFile);
   if (!file) return;
   io::ReadOptions options;
   options.frame = patch.frame;

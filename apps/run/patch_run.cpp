@@ -2,8 +2,8 @@
 #include "apps/run/patch_run.h"
 
 #include "apps/common/outcome.h"
+#include "apps/pipeline/made_from.h"
 #include "apps/pipeline/patch_scene.h"
-#include "apps/pipeline/stage_cache.h"
 #include "apps/run/patch_stages.h"
 #include "evaluate/judge/judge_lines.h"
 #include "evaluate/tables/evaluation_json.h"
@@ -29,29 +29,6 @@ namespace {
 
 using reconstruct::Method;
 
-std::string matrix_text(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
-  return fmt::format("{}", fmt::join(matrix.reshaped(), " "));
-}
-
-/// The values that remove the distortion of a lens, as text; empty without an interior orientation.
-std::string lens_text(const io::PatchImage& image) {
-  if (!image.interior) return "";
-  const auto& [focal_length_px, principal_point_px, distortion, size_px] = *image.interior;
-  return fmt::format("{} {} {} {} {} {} {} {}", matrix_text(focal_length_px),
-                     matrix_text(principal_point_px), matrix_text(image.window_px), distortion.k1,
-                     distortion.k2, distortion.k3, distortion.p1, distortion.p2);
-}
-
-/// What is read of a file and how, as text.
-std::string reading_text(const io::PatchImage& image) {
-  const io::Window window = image.window.value_or(io::Window{});
-  std::string text =
-      fmt::format("{} {} {} {} {} {}", window.column, window.row, window.width, window.height,
-                  static_cast<int>(image.turn), matrix_text(image.window_px));
-  for (const auto& [low, high] : image.radiometry) text += fmt::format(" {} {}", low, high);
-  return text;
-}
-
 /// One patch on its way through the stages. A stage runs, or is skipped if an earlier run has
 /// finished it. The later stages read its files in both cases, so that a resumed run gives the same
 /// bytes.
@@ -70,8 +47,7 @@ class PatchRun {
         progress_(progress),
         record_(record),
         stages_(patch, options, out),
-        cache_(out.path(patch.file.id), options.resume) {
-    image_keys_.resize(patch_.images.size());
+        made_(out.path(patch.file.id), options.resume) {
     if (patch_.reference_lines) references_ = read_references();
   }
 
@@ -101,46 +77,38 @@ class PatchRun {
              const std::vector<std::string>& files,
              const Work& work) {
     progress_.begin(fmt::format("{}: {}", patch_.id, name));
-    if (cache_.is_done(name, key)) {
+    if (made_.is_done(name, key)) {
       ++result_.n_skipped_stages;
     } else {
       work();
-      cache_.set_done(name, key, files);
+      made_.set_done(name, key, files);
     }
     record_.end_stage(patch_.id + "/" + name);
   }
 
-  /// The key of the images of the pair, their cameras and their range of heights.
+  /// The key of the images, their cameras and their range of heights.
   [[nodiscard]] std::string views_key() const {
-    std::vector<std::string> parts{
-        fmt::format("{} {}", patch_.height_range_m[0], patch_.height_range_m[1])};
-    for (std::size_t i = 0; i < image_keys_.size(); ++i) {
-      parts.push_back(image_keys_[i]);
-      parts.push_back(matrix_text(patch_.images[i].image_from_world));
-    }
-    return stage_key(parts);
+    std::vector<std::string> parts{fmt::format("{}", fmt::join(patch_.height_range_m, " "))};
+    for (const io::PatchImage& image : patch_.images)
+      parts.push_back(key_of_view(image, record_.hash_of(image.path)));
+    return key_of(parts);
   }
 
   void check_pairs() {
-    for (std::size_t i = 0; i < image_keys_.size(); ++i) {
-      const io::PatchImage& image = patch_.images[i];
-      image_keys_[i] =
-          stage_key({record_.hash_of(image.path), lens_text(image), reading_text(image)});
-    }
     stage("check pairs",
-          stage_key({views_key(), parameters_["tracks"].dump(),
-                     fmt::format("{}", options_.max_y_parallax_px)}),
+          key_of({views_key(), parameters_["tracks"].dump(),
+                  fmt::format("{}", options_.max_y_parallax_px)}),
           {}, [&] { record_.add_warnings(stages_.check_pairs()); });
   }
 
   /// All images at once, as they are searched at a common size.
   void extract() {
     std::vector<std::string> parts{parameters_["extract"].dump()};
-    for (std::size_t i = 0; i < image_keys_.size(); ++i) {
-      parts.push_back(image_keys_[i]);
-      parts.push_back(own_segments_key(patch_.images[i]));
+    for (const io::PatchImage& image : patch_.images) {
+      parts.push_back(key_of_picture(image, record_.hash_of(image.path)));
+      parts.push_back(own_segments_key(image));
     }
-    extract_key_ = stage_key(parts);
+    extract_key_ = key_of(parts);
     stage("extract", extract_key_, stages_.edge_files(),
           [&] { record_.add_warnings(stages_.extract()); });
   }
@@ -158,7 +126,7 @@ class PatchRun {
     for (const auto matcher : options_.parameters.method.matching.matchers) {
       parts.emplace_back(reconstruct::name(matcher));
     }
-    match_key_ = stage_key(parts);
+    match_key_ = key_of(parts);
     std::vector<std::string> files;
     stage("match", match_key_, files, [&] { files = stages_.match(); });
   }
@@ -168,7 +136,7 @@ class PatchRun {
   void keep_surface() {
     std::vector<std::string> files;
     stage(kSurfaceStage,
-          stage_key({match_key_, parameters_["reconstruct"].dump(), patch_.crs.definition}), files,
+          key_of({match_key_, parameters_["reconstruct"].dump(), patch_.crs.definition}), files,
           [&] { files = stages_.keep_surface(); });
   }
 
@@ -178,7 +146,7 @@ class PatchRun {
                                    patch_.crs.definition};
     for (const std::string& file : stages_.line_files(method)) parts.push_back(file);
     if (options_.local_origin) parts.emplace_back("local origin");
-    lines_keys_.push_back(stage_key(parts));
+    lines_keys_.push_back(key_of(parts));
     stage("reconstruct " + name, lines_keys_.back(), stages_.line_files(method),
           [&] { stages_.reconstruct(method); });
   }
@@ -218,7 +186,6 @@ class PatchRun {
 
   [[nodiscard]] std::string evaluation_key() const {
     std::vector<std::string> parts = lines_keys_;
-    parts.push_back(record_.hash_of(patch_.path));
     parts.push_back(options_.assume_crs.definition);
     parts.push_back(parameters_["judge"].dump());
     if (options_.map_schema == results::MapSchema::kFkb) parts.emplace_back("fkb");
@@ -233,7 +200,7 @@ class PatchRun {
         parts.push_back(record_.hash_of(file));
       }
     }
-    return stage_key(parts);
+    return key_of(parts);
   }
 
   results::JudgedFiles judge_against_lidar() {
@@ -308,8 +275,7 @@ class PatchRun {
   Progress& progress_;
   results::RunRecord& record_;
   PatchStages stages_;
-  StageCache cache_;
-  std::vector<std::string> image_keys_;  ///< by image
+  MadeFrom made_;
   std::string extract_key_;
   std::string match_key_;
   std::vector<std::string> lines_keys_;

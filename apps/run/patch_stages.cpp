@@ -2,11 +2,11 @@
 #include "apps/run/patch_stages.h"
 
 #include "apps/pipeline/check_pair.h"
+#include "apps/pipeline/made_from.h"
 #include "apps/pipeline/match_tables.h"
 #include "apps/pipeline/patch_matching.h"
 #include "apps/pipeline/patch_scene.h"
 #include "apps/pipeline/reconstructed_lines.h"
-#include "apps/pipeline/stage_cache.h"
 #include "evaluate/gates/figure.h"
 #include "evaluate/tables/summary_json.h"
 #include "io/cloud/labelled_points.h"

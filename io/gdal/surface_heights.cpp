@@ -4,6 +4,7 @@
 #include "io/error.h"
 #include "io/gdal/ogr_support.h"
 
+#include <cpl_string.h>
 #include <fmt/format.h>
 #include <gdal_priv.h>
 
@@ -43,6 +44,16 @@ std::array<int, 2> cells_within(double origin, double step, double low, double h
 }
 
 }  // namespace
+
+std::vector<std::string> files_beside_surface_model(const std::string& path) {
+  const QuietGdal quiet;
+  const CPLStringList all(open_raster(path, quiet)->GetFileList());
+  std::vector<std::string> beside;
+  for (int i = 0; i < all.size(); ++i) {
+    if (all[i] != path) beside.emplace_back(all[i]);
+  }
+  return beside;
+}
 
 SurfaceHeights read_surface_heights(const std::string& path, const Eigen::AlignedBox2d& bounds) {
   constexpr int kMaxSide_px = 2000;

@@ -22,4 +22,8 @@ struct SurfaceHeights {
 /// cannot be read, has no georeference or one that is turned, or has no height within the bounds.
 SurfaceHeights read_surface_heights(const std::string& path, const Eigen::AlignedBox2d& bounds);
 
+/// The files that are read with it, such as .prj, .tfw and .aux.xml. Throws IoError if it cannot be
+/// opened.
+std::vector<std::string> files_beside_surface_model(const std::string& path);
+
 }  // namespace ridgeline::io

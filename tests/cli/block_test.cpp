@@ -128,7 +128,7 @@ TEST_F(Block, GivesTheSameBytesInOneCallAndStepByStep) {
 
   // A task whose lines are lost, and one whose end was cut off, run again.
   fs::remove(path("steps/tasks/25650_270150/25650_270150/lines.lines.geojson"));
-  write(path("steps/tasks/25651_270150/done.json"), "{\"key\"");
+  write(path("steps/tasks/25651_270150/stages.json"), "{\"key\"");
   const ProgramResult open = block("steps", {"--merge"});
   EXPECT_EQ(open.exit_code, 1);
   EXPECT_THAT(open.err,
@@ -171,6 +171,18 @@ TEST_F(Block, FailedTaskIsToldAndTheOthersGoOn) {
   const ProgramResult other = block("out", {"--merge", "--methods", "direct"});
   EXPECT_EQ(other.exit_code, 1);
   EXPECT_THAT(other.err, HasSubstr("was run with other options"));
+}
+
+TEST_F(Block, MendedPosesGiveTheLinesOfAFreshFolder) {
+  const std::vector<std::string> direct{"--methods", "direct"};
+  ASSERT_EQ(block("out", direct).exit_code, 0);
+  write_orientation("omega_deg,phi_deg,kappa_deg", 0.25);
+  EXPECT_REFUSED(block("out", {"--methods", "direct", "--merge"}),
+                 HasSubstr("opk.csv: has changed since the block was planned"));
+  fs::remove(path("out/plan.json"));
+  ASSERT_EQ(block("out", direct).exit_code, 0);
+  ASSERT_EQ(block("fresh", direct).exit_code, 0);
+  EXPECT_EQ(results("out"), results("fresh"));
 }
 
 TEST_F(Block, WrongStepsAndFilesAreRefused) {
