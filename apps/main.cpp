@@ -40,8 +40,14 @@ constexpr std::array kCommands{
     Command{"evaluate", "judge any tool's 3D lines against a point cloud",
             "  ridgeline evaluate --lines roofs.gpkg --cloud 'tiles/*.laz' --out results\n"
             "  ridgeline evaluate --lines a.geojson b.dxf --cloud lidar.las --patch patch.yaml "
-            "--out results",
+            "--out results\n"
+            "  ridgeline evaluate --lines roofs.gpkg --cloud 'tiles/*.laz' --area "
+            "513000,5403000,513025,5403050 --out runs/1",
             add_evaluate},
+    Command{"pool", "one result of lines that were judged area by area",
+            "  ridgeline pool runs/* --out town\n"
+            "  ridgeline pool runs/1 runs/2 --out town --no-report",
+            add_pool},
     Command{"gate", "fail when accuracy is below the gates (exit code 3)",
             "  ridgeline gate --init > gates.yaml\n"
             "  ridgeline gate results --gates gates.yaml --junit gates.xml",

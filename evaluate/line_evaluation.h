@@ -107,6 +107,7 @@ struct JudgedLine {
       {};                       ///< if empty, the line's own plan view is its footprint
   bool reconstructed = true;    ///< if false, the status is not_reconstructed
   bool confirmed = true;        ///< if false, the status is unconfirmed
+  bool repeats_id = false;      ///< an earlier line, which may not be judged here, has the same id
   std::optional<int> n_images;  ///< that support it, by its file
 };
 
@@ -121,6 +122,9 @@ struct JudgingPlane {
   double sigma_random_m = 0.0;   ///< sigma_m if the points' errors were independent
   SegmentPlaneDistance distance;
   std::uint64_t id = 0;  ///< equal for planes that are the same one: lines sharing it are dependent
+  /// point_sample() of its inliers, by which planes of several runs are the same one; only where
+  /// the lines of an area are judged.
+  std::vector<std::uint32_t> sample = {};
 };
 
 /// How far a line lies from the intersection of its two planes; see ridge_displacement().

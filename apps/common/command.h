@@ -28,6 +28,7 @@ struct Command {
 
 Run add_demo(CLI::App& subcommand);
 Run add_evaluate(CLI::App& subcommand);
+Run add_pool(CLI::App& subcommand);
 Run add_gate(CLI::App& subcommand);
 Run add_compare(CLI::App& subcommand);
 Run add_report(CLI::App& subcommand);

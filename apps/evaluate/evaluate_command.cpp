@@ -26,7 +26,7 @@ struct EvaluateArguments {
   std::vector<int> classes;
   bool exclude_withheld = true, last_returns = false, strict = false, salvage = false;
   bool vertex_pairs = false, scale_to_ground = false, report = true, overwrite = false;
-  std::vector<double> bounds, origin;
+  std::vector<double> area, bounds, origin;
   std::string assume_crs, lod, write_attributes, id_column, building_column;
   std::vector<std::string> by;
   std::uint64_t max_points = 0, max_memory_mib = 0;
@@ -70,6 +70,11 @@ void add_inputs(CLI::App& app, EvaluateArguments& a) {
       "--write-attributes", a.write_attributes,
       "file (.json, .jsonl, .gml, .gpkg) for the model with the figures of its buildings "
       "as attributes; of one model");
+  app.add_option("--area", a.area,
+                 "x_min,y_min,x_max,y_max in the cloud's own coordinates: judge only the lines "
+                 "whose middle lies there (x_min <= x < x_max), for `ridgeline pool`")
+      ->delimiter(',')
+      ->expected(4);
   app.add_flag(
       "--scale-to-ground", a.scale_to_ground,
       "divide the plan by its scale at the data, as Web Mercator needs it; default: a plan "
@@ -174,6 +179,18 @@ io::ReadOptions read_options(const EvaluateArguments& a) {
   return options;
 }
 
+Eigen::AlignedBox2d area_of(const EvaluateArguments& a) {
+  const Eigen::AlignedBox2d area({a.area[0], a.area[1]}, {a.area[2], a.area[3]});
+  check(area.min().allFinite() && area.max().allFinite() && (area.sizes().array() > 0.0).all(),
+        "--area = ", a.area[0], ",", a.area[1], ",", a.area[2], ",", a.area[3],
+        ", must be x_min,y_min,x_max,y_max with x_min < x_max and y_min < y_max");
+  check(a.reference_lines.empty(),
+        "--reference-lines: completeness is that of all lines, and --area judges some");
+  check(a.write_attributes.empty(),
+        "--write-attributes: the model has all buildings, and --area judges some");
+  return area;
+}
+
 results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   results::JudgeFilesOptions options;
   options.line_paths = a.lines;
@@ -192,6 +209,11 @@ results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   if (options.patch_name.empty()) options.patch_name = results::cloud_name(options.cloud_paths);
   options.cloud = read_options(a);
   options.scale_to_ground = a.scale_to_ground;
+  if (!a.area.empty()) {
+    options.area = area_of(a);
+    options.reference_lines.reset();
+    options.refuse_other_places = false;  // a part of the lines cannot show it
+  }
   options.cloud_memory_mib = a.cloud_memory_mib;
   options.apply_shift = a.shift.apply;
   options.geoid = a.shift.geoid;

@@ -82,7 +82,7 @@ void write_evaluation(const results::JudgedFiles& judged,
   results::write_judged(judged, results::map_schema_named(output.schema), out, "");
   if (!output.plane_points.empty()) results::write_plane_points(output.plane_points, judged);
   results::write_tables(judged.evaluations, judged.truth, out);
-  results::write_models(judged, options.by, out);
+  results::write_models(results::model_tables(judged, options.by), out);
   const std::vector<std::string> messages = say_outcome(judged, options);
   record.end_stage("write");
   record.set("messages", messages);

@@ -259,6 +259,13 @@ nlohmann::ordered_json echo(const results::JudgeFilesOptions& options) {
     json["bounds"] = {box->min().x(), box->min().y(), box->max().x(), box->max().y()};
   }
   json["max_resolution_m"] = cloud.max_resolution_m;
+  if (options.area) {
+    const auto& [low, high] = std::pair(options.area->min(), options.area->max());
+    json["area"] = {low.x(), low.y(), high.x(), high.y()};
+    json["strict"] = cloud.strict;
+    json["salvage"] = cloud.salvage;
+    json["bca"] = options.summary.bootstrap.bca;
+  }
   json["assume_crs"] = cloud.assume_crs.definition;
   json["scale_to_ground"] = options.scale_to_ground;
   json["vertex_pairs"] = options.lines.vertex_pairs;

@@ -329,8 +329,7 @@ Json run_json(const Json& run) {
   }
   // the page leaves out the warnings of `run`: a resumed run does not repeat them, and reading the
   // cloud gives its own again
-  if (json.value("command", "") == "evaluate")
-    json["warnings"] = run.value("warnings", Json::array());
+  if (results::is_of_line_files(json)) json["warnings"] = run.value("warnings", Json::array());
   if (json.contains("inputs")) {
     for (Json& input : json["inputs"]) {
       input["path"] = std::filesystem::path(input.value("path", "")).filename().string();
@@ -370,7 +369,7 @@ Json report_json(const ReportInput& input,
                  const std::vector<ShownScene>& scenes,
                  const std::optional<evaluate::GateReport>& gates) {
   Json patches = Json::array();
-  const bool is_of_files = input.run.value("command", "") == "evaluate";
+  const bool is_of_files = results::is_of_line_files(input.run);
   for (std::size_t i = 0; i < input.patches.size(); ++i) {
     patches.push_back(patch_json(input.patches[i], scenes[i], is_of_files));
   }

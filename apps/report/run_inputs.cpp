@@ -4,6 +4,7 @@
 #include "apps/pipeline/read_patch.h"
 #include "io/error.h"
 #include "io/results/judge_files.h"
+#include "io/results/result_folder_reader.h"
 #include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/transformed.h"
 
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 
 RunInputs::RunInputs(const evaluate::Json& run, const std::string& file) {
   try {
-    is_of_files_ = run.value("command", "") == "evaluate";
+    is_of_files_ = results::is_of_line_files(run);
     options_ = run.value("options", evaluate::Json::object());
     const evaluate::Json cloud = run.value("cloud", evaluate::Json::object());
     const double horizontal_m = cloud.value("horizontal_unit_m", 1.0);

@@ -41,7 +41,7 @@ std::vector<std::pair<VisibleRun, VisibleRun>> paired(const std::vector<VisibleR
 
 }  // namespace
 
-std::vector<io::ReferenceEdge> reference_matches(std::span<const ShownEdge> edges,
+std::vector<ReferenceEdge> reference_matches(std::span<const ShownEdge> edges,
                                                  const VisibilityOptions& options) {
   std::vector<ShownEdge> candidates;
   for (const ShownEdge& edge : edges) {
@@ -50,7 +50,7 @@ std::vector<io::ReferenceEdge> reference_matches(std::span<const ShownEdge> edge
       candidates.push_back({edge.kind, edge.rank, {left, right}});
     }
   }
-  std::vector<io::ReferenceEdge> matches;
+  std::vector<ReferenceEdge> matches;
   for (const ShownEdge& edge : without_duplicates(std::move(candidates))) {
     matches.push_back({.base = edge.runs[0].segment_px,
                        .other = edge.runs[1].segment_px,

@@ -20,7 +20,7 @@ std::vector<char> repeated_ids(std::span<const JudgedLine> lines) {
   std::unordered_set<std::string> seen;
   std::vector<char> repeated(lines.size(), 0);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    repeated[i] = seen.insert(lines[i].id).second ? 0 : 1;
+    repeated[i] = seen.insert(lines[i].id).second && !lines[i].repeats_id ? 0 : 1;
   }
   return repeated;
 }

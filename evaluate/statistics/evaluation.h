@@ -9,12 +9,30 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace ridgeline::evaluate {
+
+/// A building of a model in an area.
+struct AreaBuilding {
+  std::size_t number = 0;       ///< in its file, from 0
+  std::vector<std::string> by;  ///< values of the attributes by which figures are grouped
+};
+
+/// What joins a judgement of the lines of one area with those of the areas beside it.
+struct AreaPart {
+  /// x_min, y_min, x_max, y_max in the cloud's coordinates; the upper sides are not in the area.
+  std::array<double, 4> bounds{};
+  std::size_t n_lines = 0;           ///< in the file
+  std::vector<std::size_t> numbers;  ///< in the file, from 0, of each line of the evaluation
+  std::vector<JudgedDecoy> decoys;   ///< of lines of the evaluation
+  std::vector<AreaBuilding> buildings;
+};
 
 /// The lines of one method (or tool) on one patch, judged, with their figures.
 struct Evaluation {
@@ -28,7 +46,8 @@ struct Evaluation {
   /// Of lines that were moved on purpose and judged again; empty if none were.
   std::vector<DecoyFigure> decoys{};
   std::optional<CloudFollowing>
-      elsewhere{};  ///< of the same lines far off; nothing if none were moved
+      elsewhere{};                 ///< of the same lines far off; nothing if none were moved
+  std::optional<AreaPart> area{};  ///< if only the lines of an area were judged
 };
 
 /// `evaluation` with `classes` computed from its lines and options.

@@ -4,6 +4,7 @@
 #include "evaluate/statistics/accuracy.h"
 #include "evaluate/statistics/standards.h"
 #include "evaluate/statistics/strata.h"
+#include "evaluate/tables/area_json.h"
 #include "evaluate/tables/decoy_json.h"
 #include "evaluate/tables/shift_json.h"
 #include "evaluate/tables/summary_json.h"
@@ -18,21 +19,23 @@ Json vector_json(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v
 
 Json plane_json(const JudgingPlane& p, const Eigen::Vector3d& origin_m) {
   const Eigen::Vector3d normal = p.plane.normal();
-  return {{"normal", vector_json(normal)},
-          {"d", p.plane.offset() - normal.dot(origin_m)},
-          {"n_inliers", p.n_inliers},
-          {"rms_m", number_json(p.rms_m)},
-          {"coverage", number_json(p.coverage)},
-          {"extrapolation_m", number_json(p.extrapolation_m)},
-          {"sigma_m", number_json(p.sigma_m)},
-          {"sigma_random_m", number_json(p.sigma_random_m)},
-          {"id", p.id},
-          {"start_distance_m", number_json(p.distance.start)},
-          {"end_distance_m", number_json(p.distance.end)},
-          {"mean_distance_m", number_json(p.distance.mean_abs)},
-          {"signed_mean_m", number_json(p.distance.mean)},
-          {"rms_distance_m", number_json(p.distance.rms)},
-          {"max_distance_m", number_json(p.distance.max_abs)}};
+  Json json{{"normal", vector_json(normal)},
+            {"d", p.plane.offset() - normal.dot(origin_m)},
+            {"n_inliers", p.n_inliers},
+            {"rms_m", number_json(p.rms_m)},
+            {"coverage", number_json(p.coverage)},
+            {"extrapolation_m", number_json(p.extrapolation_m)},
+            {"sigma_m", number_json(p.sigma_m)},
+            {"sigma_random_m", number_json(p.sigma_random_m)},
+            {"id", p.id},
+            {"start_distance_m", number_json(p.distance.start)},
+            {"end_distance_m", number_json(p.distance.end)},
+            {"mean_distance_m", number_json(p.distance.mean_abs)},
+            {"signed_mean_m", number_json(p.distance.mean)},
+            {"rms_distance_m", number_json(p.distance.rms)},
+            {"max_distance_m", number_json(p.distance.max_abs)}};
+  if (!p.sample.empty()) json["sample"] = sample_text(p.sample);
+  return json;
 }
 
 /// The displacement of a ridge; null if there is none: no ridge, or planes that are too parallel or
@@ -188,23 +191,26 @@ Json evaluation_json(const Evaluation& evaluation) {
   Json summary = Json::object();
   for (const Summary& s : evaluation.classes) summary[s.line_class] = class_json(s);
   Json lines = Json::array();
-  for (const LineEvaluation& line : evaluation.lines) {
-    lines.push_back(line_json(line, evaluation.origin_m));
+  for (std::size_t i = 0; i < evaluation.lines.size(); ++i) {
+    lines.push_back(line_json(evaluation.lines[i], evaluation.origin_m));
+    if (evaluation.area) lines.back()["number"] = evaluation.area->numbers[i];
   }
-  return {{"patch", evaluation.patch},
-          {"method", evaluation.method},
-          {"note", kFixedSentence},
-          {"origin_m", vector_json(evaluation.origin_m)},
-          {"options", options_json(evaluation.options)},
-          {"shift", shift_json(evaluation.shift)},
-          {"decoys", decoys_json(evaluation.decoys)},
-          {"elsewhere", following_json(evaluation.elsewhere)},
-          {"summary", std::move(summary)},
-          {"accuracy", accuracy_json(evaluation)},
-          {"standards", standards_json(evaluation)},
-          {"calibration", total_calibration_json(evaluation)},
-          {"strata", strata_json(evaluation)},
-          {"lines", std::move(lines)}};
+  Json json{{"patch", evaluation.patch},
+            {"method", evaluation.method},
+            {"note", kFixedSentence},
+            {"origin_m", vector_json(evaluation.origin_m)},
+            {"options", options_json(evaluation.options)},
+            {"shift", shift_json(evaluation.shift)},
+            {"decoys", decoys_json(evaluation.decoys)},
+            {"elsewhere", following_json(evaluation.elsewhere)},
+            {"summary", std::move(summary)},
+            {"accuracy", accuracy_json(evaluation)},
+            {"standards", standards_json(evaluation)},
+            {"calibration", total_calibration_json(evaluation)},
+            {"strata", strata_json(evaluation)}};
+  if (evaluation.area) json["area"] = area_json(*evaluation.area);
+  json["lines"] = std::move(lines);
+  return json;
 }
 
 std::string to_json(const Evaluation& evaluation) { return dump(evaluation_json(evaluation)); }

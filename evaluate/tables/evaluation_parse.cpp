@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/tables/area_json.h"
 #include "evaluate/tables/decoy_json.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/shift_json.h"
@@ -118,6 +119,7 @@ JudgingPlane parse_plane(const Json& json, const Eigen::Vector3d& origin_m) {
   p.distance.mean = number(json, "signed_mean_m");
   p.distance.rms = number(json, "rms_distance_m");
   p.distance.max_abs = number(json, "max_distance_m");
+  if (json.contains("sample")) p.sample = parse_sample(text(json, "sample"));
   return p;
 }
 
@@ -220,10 +222,14 @@ Evaluation parse_evaluation(std::string_view json) {
   if (root.contains("shift")) evaluation.shift = parse_shift(root["shift"]);
   if (root.contains("decoys")) evaluation.decoys = parse_decoys(root["decoys"]);
   if (root.contains("elsewhere")) evaluation.elsewhere = parse_following(root["elsewhere"]);
+  if (root.contains("area")) evaluation.area = parse_area(root["area"]);
   const Json& lines = array(root, "lines");
   for (std::size_t i = 0; i < lines.size(); ++i) {
     try {
       evaluation.lines.push_back(parse_line(lines[i], evaluation.origin_m));
+      if (evaluation.area) {
+        evaluation.area->numbers.push_back(count<std::size_t>(lines[i], "number"));
+      }
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument("line " + std::to_string(i) + ": " + error.what());
     }

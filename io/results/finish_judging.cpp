@@ -2,6 +2,7 @@
 #include "io/results/finish_judging.h"
 
 #include "evaluate/statistics/frame_check.h"
+#include "evaluate/statistics/shared_planes.h"
 #include "evaluate/tables/shift_text.h"
 #include "io/error.h"
 #include "io/results/judge_decoys.h"
@@ -22,11 +23,6 @@ namespace ridgeline::results {
 namespace {
 
 using evaluate::Evaluation;
-
-/// The tolerance of check_frame(): lines with a median distance above 20 times this are not in the
-/// frame of the cloud. A geoid taken for an ellipsoid (tens of metres) is found so, and lines that
-/// are a storey too high are judged.
-constexpr double kFrameTolerance_m = 1.0;
 
 /// "[CRS] x 1..2, y 3..4, z 5..6 (unit 0.3048 m)" of a box in metres, shown in the file's units.
 std::string bounds_text(const io::Crs& crs,
@@ -197,6 +193,15 @@ Evaluation evaluation_of(const io::LineSet& set,
   return evaluate::with_summaries(std::move(evaluation));
 }
 
+/// Keeps what planes of other areas are compared with.
+void sample_planes(std::vector<evaluate::JudgedResult>& results) {
+  for (evaluate::JudgedResult& result : results) {
+    for (std::size_t p = 0; p < result.inlier_keys.size(); ++p) {
+      result.evaluation.planes[p].sample = evaluate::point_sample(result.inlier_keys[p]);
+    }
+  }
+}
+
 /// Adds the warnings of the cloud in front of those of cloud and lines together, and the warnings
 /// of the lines behind.
 void add_warnings(const io::PointCloud& cloud, JudgedFiles& judged) {
@@ -228,7 +233,7 @@ JudgedFiles finish_judging(PreparedLines prepared,
   record.set("cloud", cloud_facts(batches.readings, cloud));
   record.end_stage("judge");
 
-  refuse_empty(facts, cloud.path());
+  if (!options.area) refuse_empty(facts, cloud.path());
   add_warnings(facts, judged);
   judged.unread_clouds = cloud.unread_paths();
   std::ranges::move(prepared.reference_warnings, std::back_inserter(judged.warnings));
@@ -238,10 +243,12 @@ JudgedFiles finish_judging(PreparedLines prepared,
     judged.points = evaluate::plane_points(batches.results.front());  // of the only line file
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (options.area) sample_planes(batches.results[i]);
     judged.planes.push_back(evaluate::judged_planes(batches.results[i]));
     judged.evaluations.push_back(evaluation_of(judged.line_sets[i], std::move(batches.results[i]),
                                                shifts[i], judged.frame, options));
-    refuse_foreign_frame(judged.evaluations.back(), judged.line_sets[i], cloud);
+    if (options.area) judged.evaluations.back().area = std::move(judged.areas[i]);
+    if (!options.area) refuse_foreign_frame(judged.evaluations.back(), judged.line_sets[i], cloud);
     if (!batches.decoys.empty()) {
       add_decoys(batches.decoys[i], lines[i], judged.evaluations.back());
       check_follows_cloud(judged.evaluations.back(), judged.line_sets[i].path, options,

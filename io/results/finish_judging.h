@@ -9,6 +9,11 @@
 
 namespace ridgeline::results {
 
+/// The tolerance of check_frame(): lines with a median distance above 20 times this are not in the
+/// frame of the cloud. A geoid taken for an ellipsoid (tens of metres) is found so, and lines that
+/// are a storey too high are judged.
+inline constexpr double kFrameTolerance_m = 1.0;
+
 /// The last step of judge_lines(), which needs all lines: their shift, the figures, the check of
 /// the frame, and warnings of the values. With JudgeFilesOptions::apply_shift it judges them once
 /// more. `batches`: what judge_in_batches() gave for the prepared lines. Throws IoError as

@@ -253,7 +253,8 @@ JudgedBatches judge_in_batches(io::CloudFiles& cloud,
                                const LineSets& lines,
                                const evaluate::JudgeOptions& options,
                                std::uint64_t max_memory_bytes,
-                               DecoySets decoys) {
+                               DecoySets decoys,
+                               bool all_lines) {
   const LineSets all = with_decoys(lines, decoys);
   const std::pair<Batch, Batch> batches = near_and_far(all);
   const auto judge_once = [&](DecoySets of_lines) {
@@ -267,7 +268,8 @@ JudgedBatches judge_in_batches(io::CloudFiles& cloud,
   const bool needs_points = std::ranges::any_of(batches.first, [&](const LineRef& ref) {
     return !evaluate::refusal_of(all[ref.set][ref.line], options);
   });
-  if (!all_lie_elsewhere(judged) || !needs_points || cloud.unread_paths().empty()) return judged;
+  if (!all_lines || !all_lie_elsewhere(judged) || !needs_points || cloud.unread_paths().empty())
+    return judged;
   cloud.distrust_headers();  // before the lines are said to lie elsewhere
   return judge_once(std::move(decoys));
 }

@@ -39,13 +39,15 @@ struct JudgedBatches {
 /// fit, and the cloud's files are read for each; the results are the same, bit by bit. The
 /// surroundings of a single line are read whatever they need, with a warning if that is more.
 /// `decoys`: lines made of those of each set, which are judged in the same readings of the cloud;
-/// empty for none. They change no result, but count in the readings. Throws IoError as
-/// read_cloud().
+/// empty for none. They change no result, but count in the readings. Bounds in headers of the cloud
+/// are not trusted if no line has points near it, unless these are not `all_lines`. Throws IoError
+/// as read_cloud().
 JudgedBatches judge_in_batches(io::CloudFiles& cloud,
                                const LineSets& lines,
                                const evaluate::JudgeOptions& options,
                                std::uint64_t max_memory_bytes,
-                               DecoySets decoys = {});
+                               DecoySets decoys = {},
+                               bool all_lines = true);
 
 /// Judges lines that are a part of all, for JudgedParts. Planes have no ids yet. Bounds in headers
 /// of the cloud are trusted even if no point is found: other parts may find some. Throws IoError as

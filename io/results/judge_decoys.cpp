@@ -12,9 +12,7 @@
 
 namespace ridgeline::results {
 
-JudgedBatches judge_with_decoys(io::CloudFiles& cloud,
-                                const LineSets& lines,
-                                const JudgeFilesOptions& options) {
+DecoySets decoys_of(const LineSets& lines, const JudgeFilesOptions& options) {
   DecoySets decoys;
   if (options.n_decoys != std::size_t{0}) {
     for (const std::vector<evaluate::JudgedLine>& set : lines) {
@@ -24,13 +22,20 @@ JudgedBatches judge_with_decoys(io::CloudFiles& cloud,
                         std::back_inserter(decoys.back()));
     }
   }
+  return decoys;
+}
+
+JudgedBatches judge_with_decoys(io::CloudFiles& cloud,
+                                const LineSets& lines,
+                                const JudgeFilesOptions& options) {
   return judge_in_batches(cloud, lines, options.judge, options.cloud_memory_mib << 20U,
-                          std::move(decoys));
+                          decoys_of(lines, options));
 }
 
 void add_decoys(const std::vector<evaluate::JudgedDecoy>& decoys,
                 const std::vector<evaluate::JudgedLine>& lines,
                 evaluate::Evaluation& evaluation) {
+  if (evaluation.area) evaluation.area->decoys = decoys;
   if (decoys.empty()) return;
   const auto& shift = evaluation.shift;
   // An applied shift has been taken away already, and one that is not significant may be chance.

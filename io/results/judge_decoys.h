@@ -11,6 +11,9 @@
 
 namespace ridgeline::results {
 
+/// Lines that are moved on purpose, of each file; empty if JudgeFilesOptions::n_decoys is 0.
+DecoySets decoys_of(const LineSets& lines, const JudgeFilesOptions& options);
+
 /// Judges the lines as judge_in_batches() does, and beside them lines that were moved on purpose,
 /// unless JudgeFilesOptions::n_decoys is 0. Throws as judge_in_batches().
 JudgedBatches judge_with_decoys(io::CloudFiles& cloud,

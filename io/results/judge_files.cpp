@@ -4,6 +4,8 @@
 #include "io/error.h"
 #include "io/results/finish_judging.h"
 #include "io/results/judge_decoys.h"
+#include "io/results/line_area.h"
+#include "io/results/model_files.h"
 #include "io/results/prepare_lines.h"
 #include "io/text/utf8.h"
 #include "reconstruct/geometry/transformed.h"
@@ -40,6 +42,18 @@ void check_models(const std::vector<io::LineSet>& sets, const JudgeFilesOptions&
   }
 }
 
+/// Adds the buildings that were judged to what is kept of the area.
+void add_buildings(JudgedFiles& judged, std::size_t i, const std::vector<std::string>& by) {
+  evaluate::AreaPart& area = *judged.evaluations[i].area;
+  for (const std::size_t number : judged.models[i]->places) {
+    evaluate::AreaBuilding& building = area.buildings.emplace_back();
+    building.number = number;
+    for (const std::string& column : by) {
+      building.by.push_back(value_in(judged.line_sets[i].features, number, column));
+    }
+  }
+}
+
 /// Judges the buildings of those line files that are models.
 void judge_models(io::CloudFiles& cloud,
                   const JudgeFilesOptions& options,
@@ -49,8 +63,14 @@ void judge_models(io::CloudFiles& cloud,
   bool has_models = false;
   for (std::size_t i = 0; i < judged.line_sets.size(); ++i) {
     if (!judged.line_sets[i].model) continue;
+    std::optional<std::vector<std::size_t>> numbers;
+    if (options.area) {
+      numbers =
+          buildings_in(area_in_local(*options.area, cloud), judged.line_sets[i], judged.frame);
+    }
     judged.models[i] = judge_model(cloud, judged.line_sets[i], judged.evaluations[i], judged.frame,
-                                   options.judge, options.cloud_memory_mib << 20U);
+                                   options.judge, options.cloud_memory_mib << 20U, numbers);
+    if (options.area) add_buildings(judged, i, options.by);
     has_models = true;
   }
   if (has_models) record.end_stage("judge_faces");
@@ -96,7 +116,11 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
   PreparedLines prepared = prepare_lines(std::move(to_judge), cloud, options);
   check_models(prepared.judged.line_sets, options);
   record.end_stage("read_lines");
-  JudgedBatches batches = judge_with_decoys(cloud, prepared.lines, options);
+  DecoySets decoys = decoys_of(prepared.lines, options);
+  if (options.area) keep_area(options, cloud, prepared, decoys);
+  JudgedBatches batches =
+      judge_in_batches(cloud, prepared.lines, options.judge, options.cloud_memory_mib << 20U,
+                       std::move(decoys), !options.area);
   JudgedFiles judged =
       finish_judging(std::move(prepared), std::move(batches), cloud, options, record);
   judge_models(cloud, options, record, judged);

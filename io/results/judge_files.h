@@ -12,6 +12,8 @@
 #include "io/results/judged_model.h"
 #include "io/results/run_record.h"
 
+#include <Eigen/Geometry>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -32,6 +34,9 @@ struct JudgeFilesOptions {
   evaluate::JudgeOptions judge;
   evaluate::SummaryOptions summary;
   bool scale_to_ground = false;  ///< see set_plan_scale()
+  /// Judge only the lines that belong to this part of the plan, in the cloud's own coordinates; see
+  /// keep_area(). Nothing is refused then that only all lines can show.
+  std::optional<Eigen::AlignedBox2d> area = {};
   /// Whether lines with a significant shift are moved against it and judged again.
   bool apply_shift = false;
   /// To how many wrong places lines of each file are moved and judged again, see
@@ -60,6 +65,7 @@ struct JudgedFiles {
   std::vector<TruthRows> truth;  ///< one per evaluation
   /// One per line file: the buildings and faces of a model, nothing for other files.
   std::vector<std::optional<JudgedModel>> models;
+  std::vector<evaluate::AreaPart> areas;  ///< one per line file, if only an area is judged
   std::vector<std::string> warnings;
   std::vector<std::string> unread_clouds;  ///< cloud files that have no line near them
 };

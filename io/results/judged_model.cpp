@@ -27,6 +27,8 @@ JudgedModel roofs_of(const io::LineSet& set, const Eigen::Vector3d& by_m, const 
   JudgedModel judged;
   judged.buildings.resize(model.buildings.size());
   judged.numbers.resize(model.buildings.size());
+  judged.places.resize(model.buildings.size());
+  std::iota(judged.places.begin(), judged.places.end(), std::size_t{0});
   for (std::size_t i = 0; i < model.buildings.size(); ++i)
     judged.buildings[i].id = model.buildings[i].id;
   for (std::size_t i = 0; i < model.faces.size(); ++i) {
@@ -55,6 +57,21 @@ Eigen::AlignedBox2d plan_box(const RoofBuilding& building) {
   return box;
 }
 
+template <typename T>
+std::vector<T> picked(const std::vector<std::size_t>& places, std::vector<T> all) {
+  return transformed(places, [&](std::size_t i) { return std::move(all[i]); });
+}
+
+/// The buildings at these places.
+JudgedModel picked(const std::vector<std::size_t>& places, JudgedModel all) {
+  return {.buildings = picked(places, std::move(all.buildings)),
+          .places = places,
+          .numbers = picked(places, std::move(all.numbers)),
+          .faces = picked(places, std::move(all.faces)),
+          .points = picked(places, std::move(all.points)),
+          .rows = {}};
+}
+
 class ModelJudge {
  public:
   ModelJudge(io::CloudFiles& cloud,
@@ -67,13 +84,12 @@ class ModelJudge {
     judged.points.resize(judged.buildings.size());
   }
 
-  void judge() {
-    std::vector<std::size_t> all(boxes_.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    std::erase_if(all, [&](std::size_t i) { return boxes_[i].isEmpty(); });
-    if (!all.empty()) judge_group(all);
-    for (std::size_t i = 0; i < boxes_.size(); ++i)
+  /// Judges the buildings at these places.
+  void judge(std::vector<std::size_t> places) {
+    for (const std::size_t i : places)
       if (boxes_[i].isEmpty()) judge_without_points(i);
+    std::erase_if(places, [&](std::size_t i) { return boxes_[i].isEmpty(); });
+    if (!places.empty()) judge_group(places);
   }
 
  private:
@@ -169,14 +185,17 @@ JudgedModel judge_model(io::CloudFiles& cloud,
                         const evaluate::Evaluation& evaluation,
                         const LocalFrame& frame,
                         const evaluate::JudgeOptions& options,
-                        std::uint64_t max_memory_bytes) {
+                        std::uint64_t max_memory_bytes,
+                        const std::optional<std::vector<std::size_t>>& only) {
   const bool is_moved = evaluation.shift && evaluation.shift->applied;
   const Eigen::Vector3d by_m =
       is_moved ? Eigen::Vector3d(-evaluation.shift->shift_m) : Eigen::Vector3d::Zero();
   JudgedModel judged = roofs_of(set, by_m, frame);
   evaluate::FaceOptions face_options;
   face_options.judge = options;
-  ModelJudge(cloud, judged, face_options, max_memory_bytes / kBytesPerPoint).judge();
+  ModelJudge(cloud, judged, face_options, max_memory_bytes / kBytesPerPoint)
+      .judge(only.value_or(judged.places));
+  if (only) judged = picked(*only, std::move(judged));
   judged.rows = evaluate::building_table(judged.buildings, judged.faces, judged.points,
                                          evaluation.lines, face_options);
   return judged;

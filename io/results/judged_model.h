@@ -12,13 +12,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace ridgeline::results {
 
 /// The buildings of a model by their roof faces, judged; local metres.
 struct JudgedModel {
-  std::vector<evaluate::RoofBuilding> buildings;  ///< all, in the order of the model
+  std::vector<evaluate::RoofBuilding> buildings;  ///< in the order of the model
+  std::vector<std::size_t> places;                ///< of the buildings in LineSet::model
   std::vector<std::vector<std::size_t>> numbers;  ///< of their roof faces in LineSet::model
   std::vector<std::vector<evaluate::FaceEvaluation>> faces;  ///< of each building
   std::vector<evaluate::PointDistances> points;              ///< of each building
@@ -28,12 +30,14 @@ struct JudgedModel {
 /// Judges the roof faces of a model whose edges were judged as lines: `set` as it was read, or
 /// moved before as `evaluation.shift` says. The points over the faces are read anew, for groups of
 /// neighbouring buildings if they need more memory than `max_memory_bytes`; the results do not
-/// depend on the groups. Throws IoError as read_cloud().
+/// depend on the groups. `only`: the places of the buildings that are judged, ascending; default:
+/// all. Throws IoError as read_cloud().
 JudgedModel judge_model(io::CloudFiles& cloud,
                         const io::LineSet& set,
                         const evaluate::Evaluation& evaluation,
                         const LocalFrame& frame,
                         const evaluate::JudgeOptions& options,
-                        std::uint64_t max_memory_bytes);
+                        std::uint64_t max_memory_bytes,
+                        const std::optional<std::vector<std::size_t>>& only = {});
 
 }  // namespace ridgeline::results

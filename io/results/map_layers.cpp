@@ -129,7 +129,8 @@ io::MapLayer buildings_layer(const JudgedModel& judged,
   std::ranges::move(columns_of(building_fields()), std::back_inserter(layer.columns));
   for (std::size_t i = 0; i < judged.buildings.size(); ++i) {
     io::MapFeature feature;
-    if (i < set.features.rows.size()) feature.values = set.features.rows[i];
+    if (judged.places[i] < set.features.rows.size())
+      feature.values = set.features.rows[judged.places[i]];
     for (const evaluate::RoofFace& face : judged.buildings[i].faces)
       feature.polygons.push_back(polygon_of(face, to_map));
     add_values(building_fields(), first, feature.values, judged.rows[i]);

@@ -5,6 +5,7 @@
 #include "evaluate/judge/roof_kind.h"
 #include "evaluate/statistics/distribution.h"
 #include "evaluate/tables/format.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
 
@@ -49,40 +50,6 @@ struct Group {
   double squares_m2 = 0.0;
 };
 
-/// The value of a column in a row; empty text if the row has none.
-std::string value_in(const io::AttributeTable& table, std::size_t row, const std::string& name) {
-  if (row >= table.rows.size()) return "";
-  for (const auto& [column, value] : table.rows[row])
-    if (table.columns[column].name == name) return io::text_of(value);
-  return "";
-}
-
-std::string by_rows(const JudgedFiles& judged, std::size_t i, const std::string& column) {
-  const JudgedModel& model = *judged.models[i];
-  std::map<std::string, Group> groups;
-  for (std::size_t b = 0; b < model.rows.size(); ++b) {
-    const evaluate::BuildingRow& row = model.rows[b];
-    Group& group = groups[value_in(judged.line_sets[i].features, b, column)];
-    ++group.n_buildings;
-    group.n_right += row.verdict == evaluate::BuildingVerdict::kRight ? 1 : 0;
-    group.n_judged_buildings += row.verdict != evaluate::BuildingVerdict::kNotJudged ? 1 : 0;
-    group.n_lines += row.n_lines;
-    group.n_judged_lines += row.n_judged_lines;
-    group.squares_m2 += row.n_judged_lines * row.rms_m.value_or(0.0) * row.rms_m.value_or(0.0);
-  }
-  std::string text;
-  for (const auto& [value, group] : groups) {
-    std::optional<double> rms_m;
-    if (group.n_judged_lines > 0) rms_m = std::sqrt(group.squares_m2 / group.n_judged_lines);
-    text += fmt::format("{},{},{},{},{},{},{},{},{}\n",
-                        evaluate::escape_csv(judged.evaluations[i].method),
-                        evaluate::escape_csv(column), evaluate::escape_csv(value),
-                        group.n_buildings, group.n_judged_buildings, group.n_right, group.n_lines,
-                        group.n_judged_lines, evaluate::fixed(rms_m, 4, ""));
-  }
-  return text;
-}
-
 /// How far all points are from their buildings; nothing without points.
 std::optional<std::string> points_message(const JudgedModel& model) {
   std::vector<double> to_surface_m, to_roof_m;
@@ -103,8 +70,54 @@ std::optional<std::string> points_message(const JudgedModel& model) {
 
 }  // namespace
 
+std::string value_in(const io::AttributeTable& table, std::size_t row, const std::string& name) {
+  if (row >= table.rows.size()) return "";
+  for (const auto& [column, value] : table.rows[row])
+    if (table.columns[column].name == name) return io::text_of(value);
+  return "";
+}
+
 std::vector<std::string> model_names() {
   return {"buildings.csv", "faces.csv", "kinds.csv", "buildings_by.csv"};
+}
+
+std::string by_rows(const std::string& method,
+                    const std::string& column,
+                    const std::vector<evaluate::BuildingRow>& rows,
+                    const std::vector<std::string>& values) {
+  std::map<std::string, Group> groups;
+  for (std::size_t b = 0; b < rows.size(); ++b) {
+    const evaluate::BuildingRow& row = rows[b];
+    Group& group = groups[values[b]];
+    ++group.n_buildings;
+    group.n_right += row.verdict == evaluate::BuildingVerdict::kRight ? 1 : 0;
+    group.n_judged_buildings += row.verdict != evaluate::BuildingVerdict::kNotJudged ? 1 : 0;
+    group.n_lines += row.n_lines;
+    group.n_judged_lines += row.n_judged_lines;
+    group.squares_m2 += row.n_judged_lines * row.rms_m.value_or(0.0) * row.rms_m.value_or(0.0);
+  }
+  std::string text;
+  for (const auto& [value, group] : groups) {
+    std::optional<double> rms_m;
+    if (group.n_judged_lines > 0) rms_m = std::sqrt(group.squares_m2 / group.n_judged_lines);
+    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", evaluate::escape_csv(method),
+                        evaluate::escape_csv(column), evaluate::escape_csv(value),
+                        group.n_buildings, group.n_judged_buildings, group.n_right, group.n_lines,
+                        group.n_judged_lines, evaluate::fixed(rms_m, 4, ""));
+  }
+  return text;
+}
+
+ModelTables with_headers(ModelTables rows) {
+  if (rows.buildings.empty()) return {};
+  rows.buildings.insert(0, evaluate::buildings_csv_header());
+  rows.faces.insert(0, evaluate::faces_csv_header());
+  rows.kinds.insert(0, "method,stated_kind,scan_kind,n_lines\n");
+  if (!rows.by.empty())
+    rows.by.insert(0,
+                   "method,column,value,n_buildings,n_judged_buildings,n_right,n_lines,"
+                   "n_judged_lines,rms_m\n");
+  return rows;
 }
 
 ModelTables model_tables(const JudgedFiles& judged, const std::vector<std::string>& by) {
@@ -116,23 +129,17 @@ ModelTables model_tables(const JudgedFiles& judged, const std::vector<std::strin
     tables.buildings += evaluate::buildings_csv_rows(method, model.rows);
     tables.faces += evaluate::faces_csv_rows(method, model.buildings, model.faces);
     tables.kinds += kinds_rows(judged, i);
-    for (const std::string& column : by) tables.by += by_rows(judged, i, column);
+    for (const std::string& column : by) {
+      const std::vector<std::string> values = transformed(model.places, [&](std::size_t place) {
+        return value_in(judged.line_sets[i].features, place, column);
+      });
+      tables.by += by_rows(method, column, model.rows, values);
+    }
   }
-  if (tables.buildings.empty()) return tables;
-  tables.buildings.insert(0, evaluate::buildings_csv_header());
-  tables.faces.insert(0, evaluate::faces_csv_header());
-  tables.kinds.insert(0, "method,stated_kind,scan_kind,n_lines\n");
-  if (!tables.by.empty())
-    tables.by.insert(0,
-                     "method,column,value,n_buildings,n_judged_buildings,n_right,n_lines,"
-                     "n_judged_lines,rms_m\n");
-  return tables;
+  return with_headers(std::move(tables));
 }
 
-void write_models(const JudgedFiles& judged,
-                  const std::vector<std::string>& by,
-                  const OutputFolder& out) {
-  const ModelTables tables = model_tables(judged, by);
+void write_models(const ModelTables& tables, const OutputFolder& out) {
   const std::vector<std::string> names = model_names();
   const std::array texts{&tables.buildings, &tables.faces, &tables.kinds, &tables.by};
   for (std::size_t i = 0; i < names.size(); ++i) {

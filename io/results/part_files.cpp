@@ -40,10 +40,10 @@ void fields(auto& archive, Some<SegmentPlaneDistance> auto& distance) {
 }
 
 void fields(auto& archive, Some<evaluate::JudgingPlane> auto& judging) {
-  auto& [plane, n_inliers, rms_m, coverage, extrapolation_m, sigma_m, sigma_random_m, distance,
-         id] = judging;
+  auto& [plane, n_inliers, rms_m, coverage, extrapolation_m, sigma_m, sigma_random_m, distance, id,
+         sample] = judging;
   all(archive, plane.coeffs(), n_inliers, rms_m, coverage, extrapolation_m, sigma_m, sigma_random_m,
-      distance, id);
+      distance, id, sample);
 }
 
 void fields(auto& archive, Some<evaluate::RidgeDisplacement> auto& displacement) {
@@ -107,9 +107,9 @@ void fields(auto& archive, Some<evaluate::ImageEvidence> auto& images) {
 
 void fields(auto& archive, Some<evaluate::JudgedLine> auto& line) {
   auto& [id, segment, line_class, class_base, building, epipolar_angle_deg, covariance_m2, inside,
-         images, reconstructed, confirmed, n_images] = line;
+         images, reconstructed, confirmed, repeats_id, n_images] = line;
   all(archive, id, segment, line_class, class_base, building, epipolar_angle_deg, covariance_m2,
-      inside, images, reconstructed, confirmed, n_images);
+      inside, images, reconstructed, confirmed, repeats_id, n_images);
 }
 
 void fields(auto& archive, Some<LinesPart> auto& part) {

@@ -66,6 +66,11 @@ Json read_run_json(const fs::path& folder) {
   return fs::exists(file) ? read_json_object(file) : Json::object();
 }
 
+bool is_of_line_files(const Json& run) {
+  const auto command = run.find("command");
+  return command != run.end() && (*command == "evaluate" || *command == "pool");
+}
+
 evaluate::Table1 read_matching(const fs::path& folder, bool of_files) {
   const fs::path file = folder / "table1.json";
   if (of_files || !fs::exists(file)) return {};
@@ -87,7 +92,7 @@ evaluate::ResultFolder read_result_folder(const std::string& folder) {
   evaluate::ResultFolder results;
   results.name = fs::path(folder).lexically_normal().string();
   const Json run = read_run_json(folder);
-  const bool of_files = run.contains("command") && run["command"] == "evaluate";
+  const bool of_files = is_of_line_files(run);
   const bool is_block = run.contains("command") && run["command"] == "block";
   results.is_of_line_files = of_files;
   results.matching = read_matching(folder, of_files);

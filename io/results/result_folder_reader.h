@@ -14,6 +14,9 @@ namespace ridgeline::results {
 /// JSON object.
 evaluate::Json read_run_json(const std::filesystem::path& folder);
 
+/// Whether the run of this run.json judged given line files: `evaluate`, `pool`.
+bool is_of_line_files(const evaluate::Json& run);
+
 /// Whether `joint` adjusts lines to the plane faces beside them, by the options in run.json;
 /// nothing if these do not tell, as after `evaluate`.
 std::optional<bool> joint_adjusts_to_faces(const evaluate::Json& run);

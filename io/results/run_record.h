@@ -33,6 +33,8 @@ class RunRecord {
   /// to be compared; `lines` are what is judged. A folder (LIMAP's tracks) is recorded as each of
   /// its files. Throws IoError if it cannot be read.
   void add_input(const InputFile& file);
+  /// Adds an input as another run has recorded it.
+  void add_recorded_input(nlohmann::ordered_json input) { inputs_.push_back(std::move(input)); }
   /// The SHA-256 of a file that is known already; add_input() does not read the file then.
   void know_hash(const std::string& path, const std::string& sha256) { known_[path] = sha256; }
   /// The SHA-256 of a file that add_input() was given. Throws std::invalid_argument for another

@@ -144,23 +144,29 @@ std::vector<std::string> result_names(const std::vector<std::string>& line_paths
   return names;
 }
 
+void write_evaluation_files(const Evaluation& e,
+                            const OutputFolder& out,
+                            const std::string& subfolder) {
+  const std::vector<std::string> names = evaluation_names(e.method);
+  out.write(subfolder + names[0], evaluate::to_json(e));
+  out.write(subfolder + names[1], evaluate::to_line_csv(e));
+  const std::string note = evaluate::moved_note(e);
+  out.write(subfolder + names[2],
+            (note.empty() ? "" : note + "\n\n") +
+                evaluate::to_markdown(evaluate::accuracy_statements(e)) + "\n" +
+                evaluate::to_markdown(evaluate::stratify(e)) +
+                evaluate::standards_to_markdown(evaluate::standards_blocks(e)) +
+                evaluate::decoys_to_markdown(e));
+}
+
 void write_judged(const JudgedFiles& judged,
                   MapSchema schema,
                   const OutputFolder& out,
                   const std::string& subfolder) {
   for (std::size_t i = 0; i < judged.evaluations.size(); ++i) {
     const Evaluation& e = judged.evaluations[i];
-    const std::vector<std::string> names = evaluation_names(e.method);
-    out.write(subfolder + names[0], evaluate::to_json(e));
-    out.write(subfolder + names[1], evaluate::to_line_csv(e));
-    const std::string note = evaluate::moved_note(e);
-    out.write(subfolder + names[2],
-              (note.empty() ? "" : note + "\n\n") +
-                  evaluate::to_markdown(evaluate::accuracy_statements(e)) + "\n" +
-                  evaluate::to_markdown(evaluate::stratify(e)) +
-                  evaluate::standards_to_markdown(evaluate::standards_blocks(e)) +
-                  evaluate::decoys_to_markdown(e));
-    write_judged_map(out.path(subfolder + names[3]), judged, i, schema);
+    write_evaluation_files(e, out, subfolder);
+    write_judged_map(out.path(subfolder + map_name(e.method)), judged, i, schema);
   }
   std::vector<std::vector<ToFix>> lists;
   for (std::size_t i = 0; i < judged.evaluations.size(); ++i) lists.push_back(to_fix(judged, i));

@@ -21,6 +21,11 @@ std::vector<std::string> result_names(const std::vector<std::string>& line_paths
 /// judged.METHOD.gpkg.
 std::vector<std::string> evaluation_names(const std::string& method);
 
+/// Writes evaluation.METHOD.json, evaluation.METHOD.csv and accuracy.METHOD.md below `subfolder`.
+void write_evaluation_files(const evaluate::Evaluation& evaluation,
+                            const OutputFolder& out,
+                            const std::string& subfolder);
+
 /// Writes evaluation.METHOD.json, evaluation.METHOD.csv (per line), accuracy.METHOD.md (the
 /// labelled accuracy numbers, the strata and the figures of standards) and the map
 /// judged.METHOD.gpkg of each evaluation, below `subfolder` ("" or "PATCH/").

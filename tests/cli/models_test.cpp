@@ -131,6 +131,26 @@ TEST_F(Models, DoNotDependOnTheMemoryForPoints) {
   EXPECT_EQ(read(path("parts/buildings.csv")), read(path("whole/buildings.csv")));
 }
 
+TEST_F(Models, AreJudgedAreaByAreaAsAtOnce) {
+  const std::vector<std::string> by{"--by", "roof"};
+  ASSERT_EQ(judge("town.city.json", "whole", by).exit_code, 0);
+  // Between the second house, which is too high, and the third one, and through the first.
+  for (const char* const area : {"512000,5402000,513000,5404000", "513000,5402000,513044,5404000",
+                                 "513044,5402000,514000,5404000"}) {
+    const std::string out = std::string("areas/") + area;
+    std::vector<std::string> words{"--area", area, by[0], by[1]};
+    const ProgramResult result = judge("town.city.json", out, words);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+  }
+  const ProgramResult pooled =
+      run({"pool", "areas/512000,5402000,513000,5404000", "areas/513000,5402000,513044,5404000",
+           "areas/513044,5402000,514000,5404000", "--out", "pooled", "--no-report"});
+  ASSERT_EQ(pooled.exit_code, 0) << pooled.err;
+  for (const char* const name : {"buildings.csv", "faces.csv", "kinds.csv", "buildings_by.csv"}) {
+    EXPECT_EQ(read(path("pooled") / name), read(path("whole") / name)) << name;
+  }
+}
+
 TEST_F(Models, LowerRoofsAreJudgedByTheirOwnPlaneAlsoInPieces) {
   // A flat roof whose level part at a wall is 3 m lower than the house behind; the lower one is two
   // faces side by side.

@@ -108,6 +108,9 @@ class Workspace:
         done("ridgeline match patch.yaml --out matches.csv", root)
         for folder in ("results", "before", "after", "ours", "theirs", "others"):
             done(f"ridgeline evaluate --lines a.geojson --cloud lidar.las --out {folder}", root)
+        for folder, x_min, x_max in (("runs/1", 513000, 513025), ("runs/2", 513025, 513100)):
+            area = f"{x_min},5403000,{x_max},5403100"
+            done(f"ridgeline evaluate --lines a.geojson --cloud lidar.las --area {area} --out {folder}", root)
 
     def copy(self, example, folder):
         """All files but those that the example writes."""

@@ -109,7 +109,7 @@ TEST(ReferenceMatches, HoldTheRoofOfAHouse) {
   const test::ObservedScene o = test::observed(test::gabled_house(35.0, 20.0));
   const SurfaceOracle oracle(o.scene, o.views);
   std::map<std::string, int> kinds;
-  for (const io::ReferenceEdge& match : reference_matches(test::measured_edges(o, oracle))) {
+  for (const ReferenceEdge& match : reference_matches(test::measured_edges(o, oracle))) {
     ++kinds[match.kind];
   }
   EXPECT_EQ(kinds["ridge"], 1);
@@ -129,7 +129,7 @@ TEST(ReferenceMatches, ShowOneSurfaceInBothImages) {
   const auto matches = reference_matches(test::measured_edges(o, oracle));
   ASSERT_GT(matches.size(), 50U);
   std::size_t good = 0;
-  for (const io::ReferenceEdge& match : matches) {
+  for (const ReferenceEdge& match : matches) {
     EXPECT_GE(std::min(length(match.base), length(match.other)), 10.0) << match.kind;
     const VisibleVerdict verdict = judge_match(oracle, match.base, match.other);
     good += verdict.right_distance_px < kTolPx ? 1 : 0;

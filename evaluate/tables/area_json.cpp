@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/tables/area_json.h"
+
+#include "reconstruct/geometry/check.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+
+namespace ridgeline::evaluate {
+namespace {
+
+constexpr std::array kAllKinds{DecoyKind::kHeight, DecoyKind::kAcross, DecoyKind::kMatch,
+                               DecoyKind::kElsewhere};
+
+std::string vector_text(const Eigen::Vector3d& x) {
+  return fmt::format(" {:.6g} {:.6g} {:.6g}", x.x(), x.y(), x.z());
+}
+
+/// "12 height 0.5 0.4871": its line, kind and distance, and its mean distance from its planes, or
+/// "-" if it was not evaluated. Of a line elsewhere its ends and its planes follow.
+std::string decoy_text(const JudgedDecoy& judged) {
+  const auto& [parent, kind, distance_m, line] = judged.decoy;
+  std::string text = fmt::format("{} {} {}", parent, name(kind), distance_m);
+  if (judged.evaluation.status != Status::kEvaluated) return text + " -";
+  text += fmt::format(" {:.6g}", *judged.evaluation.mean_distance_m);
+  if (kind != DecoyKind::kElsewhere) return text;
+  text += vector_text(line.segment.start) + vector_text(line.segment.end);
+  for (const JudgingPlane& p : judged.evaluation.planes) {
+    const Eigen::Vector3d n = p.plane.normal();
+    text += fmt::format(" {:.9g} {:.9g} {:.9g} {:.9g}", n.x(), n.y(), n.z(), p.plane.offset());
+  }
+  return text;
+}
+
+DecoyKind kind_named(std::string_view text) {
+  for (const DecoyKind kind : kAllKinds) {
+    if (text == name(kind)) return kind;
+  }
+  throw std::invalid_argument(fmt::format("decoy: {}; must be a kind of decoy", text));
+}
+
+JudgedDecoy parse_decoy(const std::string& text) {
+  std::istringstream words(text);
+  JudgedDecoy judged;
+  std::string kind, mean_m;
+  words >> judged.decoy.parent >> kind >> judged.decoy.distance_m >> mean_m;
+  check(!words.fail(), "decoy: ", text, "; must be a line, a kind and two distances");
+  judged.decoy.kind = kind_named(kind);
+  judged.evaluation.status = Status::kNoPlane;
+  if (mean_m == "-") return judged;
+  judged.evaluation.status = Status::kEvaluated;
+  judged.evaluation.mean_distance_m = std::stod(mean_m);
+  auto& [start, end] = judged.decoy.line.segment;
+  words >> start.x() >> start.y() >> start.z() >> end.x() >> end.y() >> end.z();
+  for (Eigen::Vector4d p; words >> p[0] >> p[1] >> p[2] >> p[3];) {
+    const double size = p.head<3>().norm();
+    judged.evaluation.planes.emplace_back().plane = Plane3(p.head<3>() / size, p[3] / size);
+  }
+  return judged;
+}
+
+}  // namespace
+
+Json area_json(const AreaPart& area) {
+  Json decoys = Json::array();
+  for (const JudgedDecoy& decoy : area.decoys) decoys.push_back(decoy_text(decoy));
+  Json json{{"bounds", area.bounds}, {"n_lines", area.n_lines}, {"decoys", std::move(decoys)}};
+  for (const AreaBuilding& building : area.buildings) {
+    json["buildings"].push_back({{"number", building.number}, {"by", building.by}});
+  }
+  return json;
+}
+
+AreaPart parse_area(const Json& json) {
+  try {
+    AreaPart area;
+    area.bounds = json.at("bounds").get<std::array<double, 4>>();
+    area.n_lines = json.at("n_lines").get<std::size_t>();
+    for (const Json& decoy : json.at("decoys")) {
+      area.decoys.push_back(parse_decoy(decoy.get<std::string>()));
+    }
+    for (const Json& building : json.value("buildings", Json::array())) {
+      area.buildings.push_back({building.at("number").get<std::size_t>(),
+                                building.at("by").get<std::vector<std::string>>()});
+    }
+    return area;
+  } catch (const Json::exception& error) {
+    throw std::invalid_argument(std::string("area: ") + error.what());
+  }
+}
+
+namespace {
+constexpr std::string_view kLetters =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+constexpr std::size_t kLettersPerValue = 5;
+constexpr std::uint32_t kBase = 64;
+}  // namespace
+
+std::string sample_text(const std::vector<std::uint32_t>& sample) {
+  std::string text;
+  for (std::uint32_t value : sample) {
+    for (std::size_t i = 0; i < kLettersPerValue; ++i) {
+      text += kLetters[value % kBase];
+      value /= kBase;
+    }
+  }
+  return text;
+}
+
+std::vector<std::uint32_t> parse_sample(const std::string& text) {
+  std::vector<std::uint32_t> sample(text.size() / kLettersPerValue, 0);
+  for (std::size_t i = sample.size() * kLettersPerValue; i-- > 0;) {
+    const std::size_t digit = kLetters.find(text[i]);
+    check(digit != std::string_view::npos, "sample: ", text, "; must be letters of base 64");
+    std::uint32_t& value = sample[i / kLettersPerValue];
+    value = value * kBase + static_cast<std::uint32_t>(digit);
+  }
+  return sample;
+}
+
+}  // namespace ridgeline::evaluate
