@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/option_flags.h"
 #include "apps/simulate/simulate_arguments.h"
-#include "io/orientation/write_orientation.h"
+#include "apps/simulate/write_orientation.h"
 
 #include <stdexcept>
 
@@ -140,7 +140,7 @@ void set_view_groups(SimulateArguments& a, const std::string& text) {
 
 void set_orientation(SimulateArguments& a, const std::string& format) {
   try {
-    (void)io::orientation_files(format);
+    (void)simulate::orientation_files(format);
   } catch (const std::invalid_argument& error) {
     throw CLI::ValidationError("--orientation", error.what());
   }

@@ -4,8 +4,8 @@
 #include "apps/common/progress.h"
 #include "apps/simulate/fittings.h"
 #include "apps/simulate/photograph.h"
+#include "apps/simulate/write_orientation.h"
 #include "io/cloud/las_writer.h"
-#include "io/orientation/write_orientation.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -88,7 +88,7 @@ void write_frames(const simulate::Scene& scene,
 std::string block_text(const simulate::Scene& scene,
                        const std::string& block_id,
                        const SimulateArguments& a) {
-  const io::OrientationFiles files = io::orientation_files(a.views.orientation);
+  const simulate::OrientationFiles files = simulate::orientation_files(a.views.orientation);
   std::string text;
   const auto add = [&](const char* key, const std::string& value) {
     if (!value.empty()) text += fmt::format("{}: {}\n", key, value);
@@ -126,7 +126,8 @@ std::vector<std::string> block_file_names(const simulate::Scene& scene,
   std::vector<std::string> names{kBlockFile};
   for (const simulate::AerialView& frame : frames) names.push_back(frame_file(frame));
   for (const Tile& tile : tiles_of(scene, a.tile_m)) names.push_back(tile.file);
-  std::ranges::move(io::orientation_files(a.views.orientation).files, std::back_inserter(names));
+  std::ranges::move(simulate::orientation_files(a.views.orientation).files,
+                    std::back_inserter(names));
   return names;
 }
 
@@ -138,8 +139,8 @@ std::size_t write_block(const simulate::Scene& bare_scene,
   Progress progress(tiles_of(bare_scene, a.tile_m).size() + frames.size());
   const std::size_t num_points = write_tiles(bare_scene, a, progress, out);
   constexpr bool kAreFrames = true;
-  io::write_orientation(std::filesystem::path(out.path(kBlockFile)).parent_path().string(),
-                        a.views.orientation, orientation_of(bare_scene, frames, kAreFrames));
+  simulate::write_orientation(std::filesystem::path(out.path(kBlockFile)).parent_path().string(),
+                              a.views.orientation, orientation_of(bare_scene, frames, kAreFrames));
   simulate::Scene scene = bare_scene;
   simulate::add_fittings(scene, a.views.render.seed);
   write_frames(scene, frames, a.views, progress, out);

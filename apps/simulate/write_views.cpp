@@ -6,7 +6,7 @@
 #include "apps/simulate/photograph.h"
 #include "apps/simulate/planned_views.h"
 #include "apps/simulate/reference_matches.h"
-#include "io/orientation/write_orientation.h"
+#include "apps/simulate/write_orientation.h"
 #include "io/project/matches_file.h"
 #include "io/project/write_patch.h"
 
@@ -43,7 +43,7 @@ io::PatchKeys patch_keys(const simulate::Scene& scene, const ViewOptions& option
   io::PatchKeys keys;
   if (options.flight.frame_px) keys.area_m = area_m(scene, options.flight.margin_m);
   if (options.orientation.empty()) return keys;
-  const io::OrientationFiles files = io::orientation_files(options.orientation);
+  const simulate::OrientationFiles files = simulate::orientation_files(options.orientation);
   keys.orientation = files.orientation;
   keys.cameras = files.cameras;
   keys.matrix = files.matrix;
@@ -108,7 +108,8 @@ std::vector<std::string> view_file_names(const ViewOptions& options) {
   for (const simulate::PlannedView& view : views) names.push_back(image_file(view.id));
   if (have_tracks(views.size())) names.emplace_back(kTracksFile);
   if (options.orientation.empty()) return names;
-  std::ranges::move(io::orientation_files(options.orientation).files, std::back_inserter(names));
+  std::ranges::move(simulate::orientation_files(options.orientation).files,
+                    std::back_inserter(names));
   return names;
 }
 
@@ -121,9 +122,9 @@ io::LineSet write_views(const simulate::Scene& bare_scene,
   simulate::add_fittings(scene, options.render.seed);
   const std::vector<simulate::AerialView> views = simulate::aerial_views(scene, options.flight);
   if (!options.orientation.empty()) {
-    io::write_orientation(std::filesystem::path(out.path(kPatchFile)).parent_path().string(),
-                          options.orientation,
-                          orientation_of(scene, views, options.flight.frame_px.has_value()));
+    simulate::write_orientation(std::filesystem::path(out.path(kPatchFile)).parent_path().string(),
+                                options.orientation,
+                                orientation_of(scene, views, options.flight.frame_px.has_value()));
   }
   const simulate::SurfaceOracle oracle(scene, views);
   std::vector<simulate::ShownEdge> edges = simulate::shown_edges(scene, oracle);

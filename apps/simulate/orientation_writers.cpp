@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/orientation/writers.h"
+#include "apps/simulate/orientation_writers.h"
 
 #include "io/crs/crs.h"
 
 #include <fmt/format.h>
 
-namespace ridgeline::io {
+namespace ridgeline::simulate {
 
-std::string camera_file_text(const Orientation& orientation) {
+std::string camera_file_text(const io::Orientation& orientation) {
   std::string text;
-  for (const Camera& camera : orientation.cameras) {
+  for (const io::Camera& camera : orientation.cameras) {
     const Eigen::Vector2i& size = *camera.interior.size_px;
     const double side_px = size.maxCoeff();
     const Eigen::Vector2d offset = principal_offset_px(camera.interior) / side_px;
@@ -21,11 +21,11 @@ std::string camera_file_text(const Orientation& orientation) {
   return text;
 }
 
-std::string wkt_text(const Orientation& orientation) {
-  return orientation.crs.known() ? to_wkt(orientation.crs) : "";
+std::string wkt_text(const io::Orientation& orientation) {
+  return orientation.crs.known() ? io::to_wkt(orientation.crs) : "";
 }
 
-const std::string& camera_name(const Orientation& orientation, const OrientedImage& image) {
+const std::string& camera_name(const io::Orientation& orientation, const io::OrientedImage& image) {
   return orientation.cameras[*image.camera].name;
 }
 
@@ -53,4 +53,4 @@ std::string row_by_row(const Eigen::Matrix3d& matrix) {
   return text;
 }
 
-}  // namespace ridgeline::io
+}  // namespace ridgeline::simulate

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Project files: Inpho, BlocksExchange, Metashape, OpenSfM.
+#include "apps/simulate/orientation_writers.h"
 #include "io/orientation/geocentric_poses.h"
-#include "io/orientation/writers.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -9,13 +9,13 @@
 
 #include <cmath>
 
-namespace ridgeline::io {
+namespace ridgeline::simulate {
 namespace {
 
 /// Millimetres are a matter of scale: pixels of the DMC's size.
 constexpr double kPixelMm = 0.012;
 
-std::string inpho_camera(const Camera& camera) {
+std::string inpho_camera(const io::Camera& camera) {
   const InteriorOrientation& interior = camera.interior;
   const Eigen::Vector2i& size = *interior.size_px;
   const Eigen::Vector2d middle_px = 0.5 * (size.cast<double>() - Eigen::Vector2d::Ones());
@@ -30,9 +30,9 @@ std::string inpho_camera(const Camera& camera) {
       kPixelMm * interior.focal_length_px.x(), offset_mm.x(), -offset_mm.y());
 }
 
-std::string inpho_photo(const Orientation& orientation, std::size_t number) {
-  const OrientedImage& image = orientation.images[number];
-  const Camera& camera = orientation.cameras[*image.camera];
+std::string inpho_photo(const io::Orientation& orientation, std::size_t number) {
+  const io::OrientedImage& image = orientation.images[number];
+  const io::Camera& camera = orientation.cameras[*image.camera];
   const Eigen::Vector3d& x = image.exterior.position_m;
   const Eigen::Matrix3d camera_from_world = image.exterior.world_from_camera_axes.transpose();
   std::string text =
@@ -50,8 +50,8 @@ std::string inpho_photo(const Orientation& orientation, std::size_t number) {
   return text + "$END\n";
 }
 
-std::string exchange_photo(const Orientation& orientation, std::size_t number) {
-  const OrientedImage& image = orientation.images[number];
+std::string exchange_photo(const io::Orientation& orientation, std::size_t number) {
+  const io::OrientedImage& image = orientation.images[number];
   const Eigen::Vector3d& x = image.exterior.position_m;
   const Eigen::Matrix3d M = cam_from_world(image.exterior);
   std::string rotation;
@@ -73,8 +73,8 @@ std::string exchange_photo(const Orientation& orientation, std::size_t number) {
       number, image.name, rotation, x.x(), x.y(), x.z(), depth);
 }
 
-std::string exchange_group(const Orientation& orientation, std::size_t number) {
-  const Camera& camera = orientation.cameras[number];
+std::string exchange_group(const io::Orientation& orientation, std::size_t number) {
+  const io::Camera& camera = orientation.cameras[number];
   const InteriorOrientation& interior = camera.interior;
   const Eigen::Vector2d point_px = principal_point_from_corner_px(interior);
   std::string photos;
@@ -92,7 +92,7 @@ std::string exchange_group(const Orientation& orientation, std::size_t number) {
       point_px.x(), point_px.y(), photos);
 }
 
-std::string metashape_sensor(const Camera& camera, std::size_t number) {
+std::string metashape_sensor(const io::Camera& camera, std::size_t number) {
   const InteriorOrientation& interior = camera.interior;
   const Eigen::Vector2d offset_px = principal_offset_px(interior);
   const std::string resolution = fmt::format(R"(<resolution width="{}" height="{}"/>)",
@@ -106,7 +106,7 @@ std::string metashape_sensor(const Camera& camera, std::size_t number) {
       offset_px.y());
 }
 
-std::string metashape_camera(const OrientedImage& image,
+std::string metashape_camera(const io::OrientedImage& image,
                              std::size_t number,
                              const ExteriorOrientation& in_chunk) {
   const Eigen::Matrix3d chunk_from_cam = cam_from_world(in_chunk).transpose();
@@ -157,17 +157,17 @@ nlohmann::ordered_json three_numbers(const Eigen::Vector3d& x) { return {x.x(), 
 
 }  // namespace
 
-std::string inpho_text(const Orientation& orientation) {
+std::string inpho_text(const io::Orientation& orientation) {
   std::string text = "$PROJECT 6.0.0\n  $LINEAR_UNITS_OF_OBJECT : m\n  $ANGULAR_UNITS : deg\n";
   const std::string wkt = wkt_text(orientation);
   if (!wkt.empty()) text += "  $COORDINATE_SYSTEM : " + wkt + "\n";
   text += "$END\n";
-  for (const Camera& camera : orientation.cameras) text += inpho_camera(camera);
+  for (const io::Camera& camera : orientation.cameras) text += inpho_camera(camera);
   for (std::size_t i = 0; i < orientation.images.size(); ++i) text += inpho_photo(orientation, i);
   return text;
 }
 
-std::string blocks_exchange_text(const Orientation& orientation) {
+std::string blocks_exchange_text(const io::Orientation& orientation) {
   std::string groups;
   for (std::size_t i = 0; i < orientation.cameras.size(); ++i) {
     groups += exchange_group(orientation, i);
@@ -184,8 +184,8 @@ std::string blocks_exchange_text(const Orientation& orientation) {
       xml_text(wkt_text(orientation)), groups);
 }
 
-std::string metashape_text(const Orientation& orientation) {
-  const TopocentricPoses poses = topocentric_poses(orientation);
+std::string metashape_text(const io::Orientation& orientation) {
+  const io::TopocentricPoses poses = io::topocentric_poses(orientation);
   const Eigen::Vector3d& origin = poses.geocentric_from_enu.translation();
   std::string sensors;
   for (std::size_t i = 0; i < orientation.cameras.size(); ++i) {
@@ -212,14 +212,14 @@ std::string metashape_text(const Orientation& orientation) {
       row_by_row(poses.geocentric_from_enu.linear()), origin.x(), origin.y(), origin.z());
 }
 
-std::string opensfm_text(const Orientation& orientation) {
-  const TopocentricPoses poses = topocentric_poses(orientation);
+std::string opensfm_text(const io::Orientation& orientation) {
+  const io::TopocentricPoses poses = io::topocentric_poses(orientation);
   nlohmann::ordered_json reconstruction;
-  for (const Camera& camera : orientation.cameras) {
+  for (const io::Camera& camera : orientation.cameras) {
     reconstruction["cameras"][camera.name] = opensfm_camera(camera.interior);
   }
   for (std::size_t i = 0; i < orientation.images.size(); ++i) {
-    const OrientedImage& image = orientation.images[i];
+    const io::OrientedImage& image = orientation.images[i];
     const Eigen::AngleAxisd turn(cam_from_world(poses.exterior[i]));
     const Eigen::Vector3d translation = -(turn.toRotationMatrix() * poses.exterior[i].position_m);
     reconstruction["shots"][image.name] = {{"rotation", three_numbers(turn.angle() * turn.axis())},
@@ -233,4 +233,4 @@ std::string opensfm_text(const Orientation& orientation) {
   return nlohmann::ordered_json::array({reconstruction}).dump(1) + "\n";
 }
 
-}  // namespace ridgeline::io
+}  // namespace ridgeline::simulate

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/orientation/write_orientation.h"
+#include "apps/simulate/write_orientation.h"
 
 #include "io/orientation/option_words.h"
 #include "io/orientation/read_orientation.h"
@@ -18,9 +18,10 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace ridgeline::io {
+namespace ridgeline::simulate {
 namespace {
 
+using namespace io;  // NOLINT(google-build-using-namespace): the orientations are its own
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::UnorderedElementsAreArray;
@@ -305,4 +306,4 @@ TEST(WriteOrientation, RefusesWhatTheFormatsCannotState) {
 }
 
 }  // namespace
-}  // namespace ridgeline::io
+}  // namespace ridgeline::simulate

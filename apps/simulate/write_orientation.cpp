@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/orientation/write_orientation.h"
+#include "apps/simulate/write_orientation.h"
 
+#include "apps/simulate/orientation_writers.h"
 #include "io/files/atomic_file.h"
-#include "io/orientation/writers.h"
 #include "io/text/nearest_name.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/transformed.h"
@@ -14,12 +14,12 @@
 #include <cctype>
 #include <filesystem>
 
-namespace ridgeline::io {
+namespace ridgeline::simulate {
 namespace {
 
 struct WrittenFile {
   const char* name;
-  std::string (*text)(const Orientation&);
+  std::string (*text)(const io::Orientation&);
 };
 
 struct WrittenFormat {
@@ -73,7 +73,7 @@ const WrittenFormat& format_named(std::string_view name) {
     known.emplace_back(format.name);
     list += (list.empty() ? "" : ", ") + std::string(format.name);
   }
-  check(false, "orientation format ", name, ", the nearest is ", nearest_name(name, known),
+  check(false, "orientation format ", name, ", the nearest is ", io::nearest_name(name, known),
         "; must be one of ", list);
   return formats().front();
 }
@@ -87,7 +87,7 @@ void check_name(const std::string& name) {
         "\", must be of letters, digits, '.', '_' and '-'");
 }
 
-void check_camera(const Camera& camera) {
+void check_camera(const io::Camera& camera) {
   const InteriorOrientation& interior = camera.interior;
   check_name(camera.name);
   check(interior.size_px.has_value(), "camera ", camera.name, ", must have a size");
@@ -97,18 +97,19 @@ void check_camera(const Camera& camera) {
 }
 
 /// PAT-B names no cameras.
-void check_cameras_by_image(const Orientation& orientation) {
-  const bool by_image = std::ranges::all_of(orientation.images, [&](const OrientedImage& image) {
-    return camera_name(orientation, image) == image.name;
-  });
+void check_cameras_by_image(const io::Orientation& orientation) {
+  const bool by_image =
+      std::ranges::all_of(orientation.images, [&](const io::OrientedImage& image) {
+        return camera_name(orientation, image) == image.name;
+      });
   check(orientation.cameras.size() == 1 || by_image,
         "cameras for PAT-B, must be one or named after their images");
 }
 
-void check_orientation(const Orientation& orientation) {
+void check_orientation(const io::Orientation& orientation) {
   check(!orientation.images.empty(), "orientation without images, must have one");
-  for (const Camera& camera : orientation.cameras) check_camera(camera);
-  for (const OrientedImage& image : orientation.images) {
+  for (const io::Camera& camera : orientation.cameras) check_camera(camera);
+  for (const io::OrientedImage& image : orientation.images) {
     check_name(image.name);
     check(image.camera.has_value(), "image ", image.name, ", must have a camera");
   }
@@ -124,13 +125,13 @@ OrientationFiles orientation_files(std::string_view format) {
 
 void write_orientation(const std::string& folder,
                        std::string_view format,
-                       const Orientation& orientation) {
+                       const io::Orientation& orientation) {
   const WrittenFormat& f = format_named(format);
   check_orientation(orientation);
   if (f.matrix[0] != '\0') check_cameras_by_image(orientation);
   for (const WrittenFile& file : f.files) {
-    write_file((std::filesystem::path(folder) / file.name).string(), file.text(orientation));
+    io::write_file((std::filesystem::path(folder) / file.name).string(), file.text(orientation));
   }
 }
 
-}  // namespace ridgeline::io
+}  // namespace ridgeline::simulate

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Formats of rows of numbers: omega, phi and kappa; PAT-B; Pix4D; COLMAP.
+#include "apps/simulate/orientation_writers.h"
 #include "io/orientation/conventions.h"
-#include "io/orientation/writers.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-namespace ridgeline::io {
+namespace ridgeline::simulate {
 namespace {
 
 std::string x_y_z(const Eigen::Vector3d& x, const char* separator) {
@@ -14,27 +14,27 @@ std::string x_y_z(const Eigen::Vector3d& x, const char* separator) {
 }
 
 /// Whole metres near the images, which Pix4D takes off all coordinates.
-Eigen::Vector3d offset_of_block_m(const Orientation& orientation) {
+Eigen::Vector3d offset_of_block_m(const io::Orientation& orientation) {
   return orientation.images.front().exterior.position_m.array().floor();
 }
 
 }  // namespace
 
-std::string opk_table_text(const Orientation& orientation) {
+std::string opk_table_text(const io::Orientation& orientation) {
   const std::string wkt = wkt_text(orientation);
   std::string text = wkt.empty() ? "" : "# CoordinateSystem: " + wkt + "\n";
   text += "name,x,y,z,omega_deg,phi_deg,kappa_deg,camera\n";
-  for (const OrientedImage& image : orientation.images) {
-    const Angles angles = angles_deg(image.exterior.world_from_camera_axes);
+  for (const io::OrientedImage& image : orientation.images) {
+    const io::Angles angles = io::angles_deg(image.exterior.world_from_camera_axes);
     text += fmt::format("{},{},{},{},{},{}\n", image.name, x_y_z(image.exterior.position_m, ","),
                         angles.omega, angles.phi, angles.kappa, camera_name(orientation, image));
   }
   return text;
 }
 
-std::string pat_b_text(const Orientation& orientation) {
+std::string pat_b_text(const io::Orientation& orientation) {
   std::string text;
-  for (const OrientedImage& image : orientation.images) {
+  for (const io::OrientedImage& image : orientation.images) {
     const Eigen::Vector3d& x = image.exterior.position_m;
     const Eigen::Matrix3d& m = image.exterior.world_from_camera_axes;
     // more digits than the columns of old programs have, so that nothing is lost
@@ -47,12 +47,12 @@ std::string pat_b_text(const Orientation& orientation) {
   return text;
 }
 
-std::string pix4d_text(const Orientation& orientation) {
+std::string pix4d_text(const io::Orientation& orientation) {
   std::string text =
       "fileName imageWidth imageHeight \ncamera matrix K [3x3]\nradial distortion [3x1]\n"
       "tangential distortion [2x1]\ncamera position t [3x1]\ncamera rotation R [3x3]\n"
       "camera model m = K [R|-Rt] X\n\n";
-  for (const OrientedImage& image : orientation.images) {
+  for (const io::OrientedImage& image : orientation.images) {
     const InteriorOrientation& interior = orientation.cameras[*image.camera].interior;
     const Eigen::Vector2d point_px = principal_point_from_corner_px(interior);
     const double focal_px = interior.focal_length_px.x();
@@ -66,11 +66,11 @@ std::string pix4d_text(const Orientation& orientation) {
   return text;
 }
 
-std::string pix4d_offset_text(const Orientation& orientation) {
+std::string pix4d_offset_text(const io::Orientation& orientation) {
   return x_y_z(offset_of_block_m(orientation), " ") + "\n";
 }
 
-std::string colmap_cameras_text(const Orientation& orientation) {
+std::string colmap_cameras_text(const io::Orientation& orientation) {
   std::string text = "# CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]\n";
   for (std::size_t i = 0; i < orientation.cameras.size(); ++i) {
     const InteriorOrientation& interior = orientation.cameras[i].interior;
@@ -82,12 +82,12 @@ std::string colmap_cameras_text(const Orientation& orientation) {
   return text;
 }
 
-std::string colmap_images_text(const Orientation& orientation) {
+std::string colmap_images_text(const io::Orientation& orientation) {
   std::string text =
       "# IMAGE_ID, QW, QX, QY, QZ, TX, TY, TZ, CAMERA_ID, NAME\n# POINTS2D[] as (X, Y, "
       "POINT3D_ID)\n";
   for (std::size_t i = 0; i < orientation.images.size(); ++i) {
-    const OrientedImage& image = orientation.images[i];
+    const io::OrientedImage& image = orientation.images[i];
     const Eigen::Quaterniond q(cam_from_world(image.exterior));
     // of the rotation that the rounded quaternion is, so that the centre is kept
     const Eigen::Vector3d t = -(q.normalized().toRotationMatrix() * image.exterior.position_m);
@@ -97,8 +97,8 @@ std::string colmap_images_text(const Orientation& orientation) {
   return text;
 }
 
-std::string colmap_points_text(const Orientation&) {
+std::string colmap_points_text(const io::Orientation&) {
   return "# POINT3D_ID, X, Y, Z, R, G, B, ERROR, TRACK[] as (IMAGE_ID, POINT2D_IDX)\n";
 }
 
-}  // namespace ridgeline::io
+}  // namespace ridgeline::simulate

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ridgeline::io {
+namespace ridgeline::simulate {
 
 /// Files of a written orientation, by their names in the folder that it is written to.
 struct OrientationFiles {
@@ -30,6 +30,6 @@ OrientationFiles orientation_files(std::string_view format);
 /// several cameras that are not named after their images.
 void write_orientation(const std::string& folder,
                        std::string_view format,
-                       const Orientation& orientation);
+                       const io::Orientation& orientation);
 
-}  // namespace ridgeline::io
+}  // namespace ridgeline::simulate
