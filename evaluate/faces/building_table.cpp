@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/faces/building_table.h"
 
+#include "evaluate/faces/limits.h"
 #include "evaluate/faces/whole_shift.h"
 #include "evaluate/statistics/distribution.h"
 #include "evaluate/tables/format.h"
@@ -76,54 +77,52 @@ bool is_gone(const PointDistances& points) {
 }
 
 /// The verdict on a building's faces one by one.
-BuildingVerdict verdict_of_parts(const BuildingRow& row, const FaceOptions& options) {
+BuildingVerdict verdict_of_parts(const BuildingRow& row) {
   constexpr double kMinJudgedShare = 0.5;  // of the area
   if (!row.unexplained || row.judged_area_m2 < kMinJudgedShare * row.area_m2) {
     return BuildingVerdict::kNotJudged;
   }
-  if (*row.unexplained > options.max_unexplained) return BuildingVerdict::kChanged;
+  if (*row.unexplained > kMaxUnexplained) return BuildingVerdict::kChanged;
   BuildingVerdict verdict = BuildingVerdict::kRight;
-  double largest = options.max_wrong_share;
+  double largest = kMaxWrongShare;
   const auto consider = [&](double share, BuildingVerdict what) {
     if (share > largest) largest = share, verdict = what;
   };
   consider(row.wrong_height, BuildingVerdict::kWrongHeight);
   consider(row.wrong_tilt, BuildingVerdict::kWrongTilt);
   consider(row.wrong_outline, BuildingVerdict::kWrongOutline);
-  const bool contradicted = row.rms_m && *row.rms_m > options.outline_tolerance_m;
+  const bool contradicted = row.rms_m && *row.rms_m > kOutlineTolerance_m;
   if (verdict == BuildingVerdict::kRight && contradicted) return BuildingVerdict::kNotJudged;
   return verdict;
 }
 
 /// Whether a shift is all that is wrong.
-std::optional<BuildingVerdict> verdict_of_shift(const Eigen::Vector3d& shift_m,
-                                                const FaceOptions& options) {
-  if (shift_m.head<2>().norm() > options.outline_tolerance_m) return BuildingVerdict::kShifted;
-  if (shift_m.z() > options.height_tolerance_m) return BuildingVerdict::kTooHigh;
-  if (shift_m.z() < -options.height_tolerance_m) return BuildingVerdict::kTooLow;
+std::optional<BuildingVerdict> verdict_of_shift(const Eigen::Vector3d& shift_m) {
+  if (shift_m.head<2>().norm() > kOutlineTolerance_m) return BuildingVerdict::kShifted;
+  if (shift_m.z() > kHeightTolerance_m) return BuildingVerdict::kTooHigh;
+  if (shift_m.z() < -kHeightTolerance_m) return BuildingVerdict::kTooLow;
   return std::nullopt;
 }
 
 void set_verdict(const RoofBuilding& building,
                  std::span<const FaceEvaluation> evaluations,
                  const PointDistances& points,
-                 const FaceOptions& options,
                  BuildingRow& row) {
-  row.verdict = verdict_of_parts(row, options);
+  row.verdict = verdict_of_parts(row);
   if (row.verdict == BuildingVerdict::kRight || row.verdict == BuildingVerdict::kNotJudged) return;
   if (row.verdict == BuildingVerdict::kChanged) {
     if (is_gone(points)) {
       row.verdict = BuildingVerdict::kGone;
     } else if (points.parallel_below_m &&  // farther off than planes of faces are looked for
-               std::abs(*points.parallel_below_m) > options.max_height_m) {
+               std::abs(*points.parallel_below_m) > kMaxFaceHeight_m) {
       row.shift_m = Eigen::Vector3d(0.0, 0.0, *points.parallel_below_m);
       row.verdict =
           *points.parallel_below_m > 0.0 ? BuildingVerdict::kTooHigh : BuildingVerdict::kTooLow;
     }
     return;
   }
-  const auto shift_m = whole_shift_m(building.faces, evaluations, options);
-  const auto verdict = shift_m ? verdict_of_shift(*shift_m, options) : std::nullopt;
+  const auto shift_m = whole_shift_m(building.faces, evaluations);
+  const auto verdict = shift_m ? verdict_of_shift(*shift_m) : std::nullopt;
   if (!verdict) return;
   row.verdict = *verdict;
   row.shift_m = shift_m;
@@ -177,8 +176,7 @@ const char* text(BuildingVerdict verdict) {
 std::vector<BuildingRow> building_table(std::span<const RoofBuilding> buildings,
                                         std::span<const std::vector<FaceEvaluation>> evaluations,
                                         std::span<const PointDistances> points,
-                                        std::span<const LineEvaluation> lines,
-                                        const FaceOptions& options) {
+                                        std::span<const LineEvaluation> lines) {
   check(buildings.size() == evaluations.size(), "building_table: evaluations of ",
         evaluations.size(), " buildings, must be those of ", buildings.size());
   check(buildings.size() == points.size(), "building_table: points of ", points.size(),
@@ -198,7 +196,7 @@ std::vector<BuildingRow> building_table(std::span<const RoofBuilding> buildings,
     set_shares(sums, row);
     row.heights = edge_heights(buildings[b].faces, evaluations[b]);
     set_points(points[b], row);
-    set_verdict(buildings[b], evaluations[b], points[b], options, row);
+    set_verdict(buildings[b], evaluations[b], points[b], row);
     rows.push_back(std::move(row));
   }
   return rows;

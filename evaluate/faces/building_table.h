@@ -3,7 +3,6 @@
 
 #include "evaluate/faces/edge_heights.h"
 #include "evaluate/faces/face_evaluation.h"
-#include "evaluate/faces/options.h"
 #include "evaluate/faces/point_distances.h"
 #include "evaluate/faces/roof_face.h"
 #include "evaluate/line_evaluation.h"
@@ -81,8 +80,7 @@ struct BuildingRow {
 std::vector<BuildingRow> building_table(std::span<const RoofBuilding> buildings,
                                         std::span<const std::vector<FaceEvaluation>> evaluations,
                                         std::span<const PointDistances> points,
-                                        std::span<const LineEvaluation> lines,
-                                        const FaceOptions& options);
+                                        std::span<const LineEvaluation> lines);
 
 /// `buildings.csv`:
 /// method,id,verdict,n_lines,n_judged_lines,rms_m,worst_line,worst_distance_m,n_faces,

@@ -56,7 +56,7 @@ struct PlaneDifference {
 struct EdgeOffset {
   std::size_t edge = 0;  ///< place in PlanPolygon::edges()
   /// How far the edge lies outwards of the border of the points on the plane; negative if the face
-  /// is too small. At most FaceOptions::reach_m either way: then the border may be farther off.
+  /// is too small. At most kFaceReach_m either way: then the border may be farther off.
   double offset_m = 0.0;
   /// Points that speak for this place rather than for the edge's own: those that its plane lacks,
   /// or has beyond the edge.

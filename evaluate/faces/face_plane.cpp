@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/faces/face_plane.h"
 
+#include "evaluate/faces/limits.h"
 #include "evaluate/judge/plane_search.h"
 #include "evaluate/probability.h"
 #include "reconstruct/geometry/degrees.h"
@@ -19,20 +20,19 @@ constexpr std::size_t kMaxSearchedPoints = 2000;
 /// The points that a plane like the face's own can hold.
 std::vector<ZonePoint> candidates(std::span<const FacePoint> points,
                                   const RoofFace& face,
-                                  const FaceOptions& options) {
+                                  const JudgeOptions& options) {
   const double slope_rad = ridgeline::slope_rad(face.plane);
-  const double tilt_rad = options.max_tilt_deg * kRadPerDeg;
+  const double tilt_rad = kMaxFaceTilt_deg * kRadPerDeg;
   constexpr double kNearlyUpright_rad = 89.0 * kRadPerDeg;
   const double steeper = std::tan(std::min(slope_rad + tilt_rad, kNearlyUpright_rad));
   // how far a plane of another tilt gets away from the face's own, per metre from the centroid in
   // plan
   const double spread =
       std::max(steeper - std::tan(slope_rad), std::tan(slope_rad) - std::tan(slope_rad - tilt_rad));
-  const double farthest_m =
-      options.max_height_m + options.judge.inlier_distance_m / face.plane.normal().z();
+  const double farthest_m = kMaxFaceHeight_m + options.inlier_distance_m / face.plane.normal().z();
   std::vector<ZonePoint> kept;
   for (const FacePoint& p : points) {
-    if (!is_well_inside(p, options)) continue;
+    if (!is_well_inside(p)) continue;
     const Eigen::Vector2d x = p.point.x.head<2>();
     const double height_m = std::abs(p.point.x.z() - height_at(face.plane, x));
     const double distance_m = (x - face.centroid.head<2>()).norm();
@@ -50,11 +50,11 @@ std::vector<ZonePoint> thinned(const std::vector<ZonePoint>& points) {
   return kept;
 }
 
-bool is_like(const Plane3& plane, const RoofFace& face, const FaceOptions& options) {
+bool is_like(const Plane3& plane, const RoofFace& face) {
   const double cosine = plane.normal().dot(face.plane.normal());
   const double height_m = height_at(plane, face.centroid.head<2>()) - face.centroid.z();
-  return cosine >= std::cos(options.max_tilt_deg * kRadPerDeg) &&
-         std::abs(height_m) <= options.max_height_m;
+  return cosine >= std::cos(kMaxFaceTilt_deg * kRadPerDeg) &&
+         std::abs(height_m) <= kMaxFaceHeight_m;
 }
 
 std::vector<Eigen::Vector3d> inliers_of(const std::vector<ZonePoint>& points,
@@ -70,14 +70,14 @@ std::vector<Eigen::Vector3d> inliers_of(const std::vector<ZonePoint>& points,
 /// Total least squares of the points within the limit, repeated until these stay the same.
 std::optional<PlaneFit> settled_fit(const std::vector<ZonePoint>& points,
                                     const Plane3& start,
-                                    const FaceOptions& options) {
+                                    const JudgeOptions& options) {
   constexpr int kMaxPasses = 20;  // 3 to 6 as a rule; two sets may take turns
-  const double limit_m = options.judge.inlier_distance_m;
+  const double limit_m = options.inlier_distance_m;
   std::vector<Eigen::Vector3d> inliers = inliers_of(points, start, limit_m);
   std::optional<PlaneFit> fit;
   for (int pass = 0; pass < kMaxPasses; ++pass) {
     fit = fit_plane(inliers);
-    if (!fit || fit->n < options.judge.min_points) return std::nullopt;
+    if (!fit || fit->n < options.min_points) return std::nullopt;
     std::vector<Eigen::Vector3d> next = inliers_of(points, fit->plane, limit_m);
     if (next == inliers) break;
     inliers = std::move(next);
@@ -95,31 +95,29 @@ double variance_cut_off_at(double k) {
 bool may_be_on(const NeighbourFace& other,
                const PlaneFit& fit,
                const FacePoint& point,
-               const FaceOptions& options) {
+               const JudgeOptions& options) {
   return other.fit && is_on(other.fit->plane, point, options) &&
          !are_nearly_one(fit.plane, other.fit->plane, options) &&
-         other.face->plan.distance_m(point.point.x.head<2>()) <= options.reach_m;
+         other.face->plan.distance_m(point.point.x.head<2>()) <= kFaceReach_m;
 }
 
 }  // namespace
 
-bool is_well_inside(const FacePoint& point, const FaceOptions& options) {
-  return point.beyond_m <= -options.border_gap_m;
-}
+bool is_well_inside(const FacePoint& point) { return point.beyond_m <= -kBorderGap_m; }
 
-bool is_on(const Plane3& plane, const FacePoint& point, const FaceOptions& options) {
-  return plane.absDistance(point.point.x) <= options.judge.inlier_distance_m;
+bool is_on(const Plane3& plane, const FacePoint& point, const JudgeOptions& options) {
+  return plane.absDistance(point.point.x) <= options.inlier_distance_m;
 }
 
 std::optional<PlaneFit> find_face_plane(std::span<const FacePoint> points,
                                         const RoofFace& face,
-                                        const FaceOptions& options,
+                                        const JudgeOptions& options,
                                         const PointNormals& normals) {
   const std::vector<ZonePoint> inside = candidates(points, face, options);
   std::optional<PlaneFit> best;
-  for (const FoundPlane& found : search_planes(thinned(inside), options.judge, normals)) {
+  for (const FoundPlane& found : search_planes(thinned(inside), options, normals)) {
     const std::optional<PlaneFit> fit = settled_fit(inside, found.fit.plane, options);
-    if (fit && is_like(fit->plane, face, options) && (!best || fit->n > best->n)) best = fit;
+    if (fit && is_like(fit->plane, face) && (!best || fit->n > best->n)) best = fit;
   }
   return best;
 }
@@ -127,12 +125,12 @@ std::optional<PlaneFit> find_face_plane(std::span<const FacePoint> points,
 PlaneFit refit_face_plane(std::span<const FacePoint> points,
                           const PlaneFit& fit,
                           std::span<const NeighbourFace> neighbours,
-                          const FaceOptions& options) {
+                          const JudgeOptions& options) {
   std::vector<ZonePoint> own;
   for (const FacePoint& p : points) {
     const bool shared = std::ranges::any_of(
         neighbours, [&](const NeighbourFace& other) { return may_be_on(other, fit, p, options); });
-    if (is_well_inside(p, options) && !shared) own.push_back(p.point);
+    if (is_well_inside(p) && !shared) own.push_back(p.point);
   }
   return settled_fit(own, fit.plane, options).value_or(fit);
 }
@@ -147,8 +145,8 @@ double untruncated_sigma_m(double truncated_m, double limit_m) {
   return truncated_m / variance_cut_off_at(low);
 }
 
-bool are_nearly_one(const Plane3& a, const Plane3& b, const FaceOptions& options) {
-  return a.normal().dot(b.normal()) > std::cos(options.judge.ridge_angle_deg * kRadPerDeg);
+bool are_nearly_one(const Plane3& a, const Plane3& b, const JudgeOptions& options) {
+  return a.normal().dot(b.normal()) > std::cos(options.ridge_angle_deg * kRadPerDeg);
 }
 
 }  // namespace ridgeline::evaluate

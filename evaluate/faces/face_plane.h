@@ -3,7 +3,7 @@
 
 #include "evaluate/faces/face_points.h"
 #include "evaluate/faces/neighbour_face.h"
-#include "evaluate/faces/options.h"
+#include "evaluate/judge/options.h"
 #include "evaluate/judge/plane_fit.h"
 #include "evaluate/judge/point_normals.h"
 
@@ -13,25 +13,25 @@
 namespace ridgeline::evaluate {
 
 /// The plane of the points over a face: of the planes that search_planes() finds in them and that
-/// are like the face's own (FaceOptions::max_height_m at its centroid, max_tilt_deg), the one with
+/// are like the face's own (kMaxFaceHeight_m at its centroid, kMaxFaceTilt_deg), the one with
 /// the most points. Points near the outline are left out. It is fitted anew to the points within
 /// JudgeOptions::inlier_distance_m until these stay the same; its sigma0 is untruncated_sigma_m().
 /// @param points  points_around() of the face
 /// @return nothing if no such plane holds JudgeOptions::min_points
 std::optional<PlaneFit> find_face_plane(std::span<const FacePoint> points,
                                         const RoofFace& face,
-                                        const FaceOptions& options,
+                                        const JudgeOptions& options,
                                         const PointNormals& normals = {});
 
 /// The plane fitted anew without the points that may belong to a neighbour as well: those that lie
-/// on its plane, too, no farther than FaceOptions::reach_m from it. Where a face reaches over the
+/// on its plane, too, no farther than kFaceReach_m from it. Where a face reaches over the
 /// ridge, the points behind it would tilt its plane. Planes that are nearly one
 /// (JudgeOptions::ridge_angle_deg) share their points.
 /// @return `fit` itself if too few points remain
 PlaneFit refit_face_plane(std::span<const FacePoint> points,
                           const PlaneFit& fit,
                           std::span<const NeighbourFace> neighbours,
-                          const FaceOptions& options);
+                          const JudgeOptions& options);
 
 /// The standard deviation with which a plane's uncertainty follows from n points that were kept
 /// because they lie within `limit_m` of it. With k = limit / sigma and g = 1 - 2 k phi(k) / (2
@@ -44,12 +44,12 @@ PlaneFit refit_face_plane(std::span<const FacePoint> points,
 double untruncated_sigma_m(double truncated_m, double limit_m);
 
 /// Whether a point is one of those that a face's plane is fitted to, if it lies on the plane.
-bool is_well_inside(const FacePoint& point, const FaceOptions& options);
+bool is_well_inside(const FacePoint& point);
 
 /// Whether a point lies on a plane.
-bool is_on(const Plane3& plane, const FacePoint& point, const FaceOptions& options);
+bool is_on(const Plane3& plane, const FacePoint& point, const JudgeOptions& options);
 
 /// Whether two planes are nearly one, so that points do not tell them apart.
-bool are_nearly_one(const Plane3& a, const Plane3& b, const FaceOptions& options);
+bool are_nearly_one(const Plane3& a, const Plane3& b, const JudgeOptions& options);
 
 }  // namespace ridgeline::evaluate

@@ -3,8 +3,8 @@
 
 #include "evaluate/faces/face_evaluation.h"
 #include "evaluate/faces/neighbour_face.h"
-#include "evaluate/faces/options.h"
 #include "evaluate/faces/roof_face.h"
+#include "evaluate/judge/options.h"
 #include "evaluate/judge/point_search.h"
 
 #include <span>
@@ -14,7 +14,7 @@ namespace ridgeline::evaluate {
 /// First the plane of a face's points, or why there is none.
 FaceEvaluation find_plane(const PointSearch& search,
                           const RoofFace& face,
-                          const FaceOptions& options);
+                          const JudgeOptions& options);
 
 /// Then, for an evaluation by find_plane(), the plane without the points that a neighbour may own,
 /// and the face's difference to it.
@@ -22,7 +22,7 @@ FaceEvaluation find_plane(const PointSearch& search,
 void refine_plane(const PointSearch& search,
                   const RoofFace& face,
                   std::span<const NeighbourFace> neighbours,
-                  const FaceOptions& options,
+                  const JudgeOptions& options,
                   FaceEvaluation& evaluation);
 
 /// At last the outline, what the points over the face lie on, and the verdict.
@@ -31,12 +31,12 @@ void refine_plane(const PointSearch& search,
 void judge_outline(const PointSearch& search,
                    const RoofFace& face,
                    std::span<const NeighbourFace> neighbours,
-                   const FaceOptions& options,
+                   const JudgeOptions& options,
                    FaceEvaluation& evaluation);
 
 /// All three for a face that stands alone. Every face gets a status; a bad face never throws.
 FaceEvaluation judge_face(const PointSearch& search,
                           const RoofFace& face,
-                          const FaceOptions& options);
+                          const JudgeOptions& options);
 
 }  // namespace ridgeline::evaluate

@@ -2,6 +2,7 @@
 #include "evaluate/faces/judge_faces.h"
 
 #include "evaluate/faces/judge_face.h"
+#include "evaluate/faces/limits.h"
 #include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/field.h"
 #include "reconstruct/geometry/interruption.h"
@@ -76,9 +77,8 @@ std::vector<std::vector<FaceEvaluation>> by_building(std::span<const RoofBuildin
 
 std::vector<std::vector<FaceEvaluation>> judge_faces(const PointSearch& search,
                                                      std::span<const RoofBuilding> buildings,
-                                                     const FaceOptions& options) {
+                                                     const JudgeOptions& options) {
   ridgeline::validate(options);
-  ridgeline::validate(options.judge);
   const std::vector<const RoofFace*> faces = all_faces(buildings);
   std::vector<FaceEvaluation> evaluations(faces.size());
   const auto for_all = [&](const auto& judge) {
@@ -88,11 +88,11 @@ std::vector<std::vector<FaceEvaluation>> judge_faces(const PointSearch& search,
     });
   };
   for_all([&](std::size_t k) { evaluations[k] = find_plane(search, *faces[k], options); });
-  const Neighbours found(faces, evaluations, options.reach_m);
+  const Neighbours found(faces, evaluations, kFaceReach_m);
   for_all([&](std::size_t k) {
     refine_plane(search, *faces[k], found.of(k), options, evaluations[k]);
   });
-  const Neighbours refined(faces, evaluations, options.reach_m);
+  const Neighbours refined(faces, evaluations, kFaceReach_m);
   for_all([&](std::size_t k) {
     judge_outline(search, *faces[k], refined.of(k), options, evaluations[k]);
   });

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "evaluate/faces/face_evaluation.h"
-#include "evaluate/faces/options.h"
 #include "evaluate/faces/roof_face.h"
+#include "evaluate/judge/options.h"
 #include "evaluate/judge/point_search.h"
 
 #include <span>
@@ -17,6 +17,6 @@ namespace ridgeline::evaluate {
 /// faces need not be unique. Throws std::invalid_argument for an option out of its range.
 std::vector<std::vector<FaceEvaluation>> judge_faces(const PointSearch& search,
                                                      std::span<const RoofBuilding> buildings,
-                                                     const FaceOptions& options);
+                                                     const JudgeOptions& options);
 
 }  // namespace ridgeline::evaluate

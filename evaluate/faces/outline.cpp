@@ -2,6 +2,7 @@
 #include "evaluate/faces/outline.h"
 
 #include "evaluate/faces/face_plane.h"
+#include "evaluate/faces/limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,7 @@ namespace {
 PlacedPoint placed(const FacePoint& point,
                    const PlaneFit& fit,
                    std::span<const NeighbourFace> neighbours,
-                   const FaceOptions& options) {
+                   const JudgeOptions& options) {
   const Eigen::Vector2d x = point.point.x.head<2>();
   const bool on_face = is_on(fit.plane, point, options);
   const double distance_m = fit.plane.absDistance(point.point.x);
@@ -21,7 +22,7 @@ PlacedPoint placed(const FacePoint& point,
   PlacedPoint result{on_face ? PointPlace::kOnFace : off_face, on_face};
   for (const NeighbourFace& other : neighbours) {
     const double away_m = other.face->plan.distance_m(x);
-    if (away_m > options.reach_m) continue;
+    if (away_m > kFaceReach_m) continue;
     const bool over_other = away_m == 0.0;
     if (!other.fit) {
       if (over_other && point.beyond_m > 0.0) result.place = PointPlace::kUnknown;
@@ -148,8 +149,8 @@ std::vector<PlacedPoint> placed_points(std::span<const FacePoint> points,
                                        const RoofFace& face,
                                        const PlaneFit& fit,
                                        std::span<const NeighbourFace> neighbours,
-                                       const FaceOptions& options) {
-  const double reach_m = 2.0 * options.reach_m;  // of the face, then of the point
+                                       const JudgeOptions& options) {
+  const double reach_m = 2.0 * kFaceReach_m;  // of the face, then of the point
   std::vector<NeighbourFace> near;
   for (const NeighbourFace& other : neighbours) {
     const bool is_near =
@@ -165,12 +166,11 @@ std::vector<PlacedPoint> placed_points(std::span<const FacePoint> points,
 std::vector<EdgeOffset> edge_offsets(std::span<const FacePoint> points,
                                      std::span<const PlacedPoint> places,
                                      const RoofFace& face,
-                                     double points_per_m2,
-                                     const FaceOptions& options) {
+                                     double points_per_m2) {
   std::vector<Votes> votes(face.plan.edges().size(), {{}, {}, points_per_m2});
   for (std::size_t i = 0; i < points.size(); ++i) {
     const PointPlace place = places[i].place;
-    const bool near = std::abs(points[i].beyond_m) <= options.reach_m;
+    const bool near = std::abs(points[i].beyond_m) <= kFaceReach_m;
     const bool speaks = place != PointPlace::kUnknown && place != PointPlace::kAbove;
     if (!speaks || !near || !points[i].beside) continue;
     const bool on_face = place == PointPlace::kOnFace || place == PointPlace::kOnFaceOrOther;
@@ -180,19 +180,19 @@ std::vector<EdgeOffset> edge_offsets(std::span<const FacePoint> points,
   std::vector<EdgeOffset> edges;
   for (std::size_t i = 0; i < votes.size(); ++i) {
     const std::size_t n = votes[i].on_m.size() + votes[i].off_m.size();
-    if (n < 2 * static_cast<std::size_t>(options.min_contradictions)) continue;
-    edges.push_back(best_place(i, votes[i], EdgeCell(face.plan, i, options.reach_m)));
+    if (n < 2 * static_cast<std::size_t>(kMinContradictions)) continue;
+    edges.push_back(best_place(i, votes[i], EdgeCell(face.plan, i, kFaceReach_m)));
   }
   return edges;
 }
 
-bool is_off(const EdgeOffset& edge, const FaceOptions& options) {
-  return std::abs(edge.offset_m) > options.outline_tolerance_m &&
-         edge.n_contradictions >= options.min_contradictions;
+bool is_off(const EdgeOffset& edge) {
+  return std::abs(edge.offset_m) > kOutlineTolerance_m &&
+         edge.n_contradictions >= kMinContradictions;
 }
 
-bool is_outline_wrong(std::span<const EdgeOffset> edges, const FaceOptions& options) {
-  return std::ranges::any_of(edges, [&](const EdgeOffset& edge) { return is_off(edge, options); });
+bool is_outline_wrong(std::span<const EdgeOffset> edges) {
+  return std::ranges::any_of(edges, [&](const EdgeOffset& edge) { return is_off(edge); });
 }
 
 }  // namespace ridgeline::evaluate

@@ -4,7 +4,7 @@
 #include "evaluate/faces/face_evaluation.h"
 #include "evaluate/faces/face_points.h"
 #include "evaluate/faces/neighbour_face.h"
-#include "evaluate/faces/options.h"
+#include "evaluate/judge/options.h"
 
 #include <span>
 #include <vector>
@@ -33,24 +33,23 @@ std::vector<PlacedPoint> placed_points(std::span<const FacePoint> points,
                                        const RoofFace& face,
                                        const PlaneFit& fit,
                                        std::span<const NeighbourFace> neighbours,
-                                       const FaceOptions& options);
+                                       const JudgeOptions& options);
 
 /// For each edge of the outline the place that the points beside it speak for, of several the
 /// nearest to the edge's own. A face is too large where its plane has no points in a strip along
 /// the edge although rays came through, and too small where its plane goes on. Points below the
 /// plane do not show by themselves that it is too large: slanting rays meet walls and ground under
-/// an overhang. An edge with fewer than twice FaceOptions::min_contradictions points beside it is
+/// an overhang. An edge with fewer than twice kMinContradictions points beside it is
 /// left out.
 /// @param points_per_m2  in plan, of the face on its plane
 std::vector<EdgeOffset> edge_offsets(std::span<const FacePoint> points,
                                      std::span<const PlacedPoint> places,
                                      const RoofFace& face,
-                                     double points_per_m2,
-                                     const FaceOptions& options);
+                                     double points_per_m2);
 
 /// Whether an edge is off by more than the tolerance, by enough points.
-bool is_off(const EdgeOffset& edge, const FaceOptions& options);
+bool is_off(const EdgeOffset& edge);
 /// Whether one of the edges is.
-bool is_outline_wrong(std::span<const EdgeOffset> edges, const FaceOptions& options);
+bool is_outline_wrong(std::span<const EdgeOffset> edges);
 
 }  // namespace ridgeline::evaluate

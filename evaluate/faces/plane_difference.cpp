@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/faces/plane_difference.h"
 
+#include "evaluate/faces/limits.h"
 #include "evaluate/probability.h"
 #include "reconstruct/geometry/degrees.h"
 
@@ -141,14 +142,13 @@ PlaneDifference difference_of(const RoofFace& face, const PlaneFit& fit) {
 
 FaceVerdict plane_verdict(const RoofFace& face,
                           const PlaneFit& fit,
-                          const PlaneDifference& difference,
-                          const FaceOptions& options) {
+                          const PlaneDifference& difference) {
   FaceVerdict verdict;
-  verdict.tilt = exceeds(difference.angle_deg, options.tilt_tolerance_deg);
-  verdict.height = exceeds(difference.shift_m, options.height_tolerance_m);
+  verdict.tilt = exceeds(difference.angle_deg, kTiltTolerance_deg);
+  verdict.height = exceeds(difference.shift_m, kHeightTolerance_m);
   if (verdict.tilt && verdict.height) {
     const double sign = difference.shift_m.value > 0.0 ? 1.0 : -1.0;
-    verdict.height = smallest_shift_m(face, fit, sign) > options.height_tolerance_m;
+    verdict.height = smallest_shift_m(face, fit, sign) > kHeightTolerance_m;
   }
   return verdict;
 }

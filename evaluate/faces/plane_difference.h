@@ -2,7 +2,6 @@
 #pragma once
 
 #include "evaluate/faces/face_evaluation.h"
-#include "evaluate/faces/options.h"
 #include "evaluate/faces/roof_face.h"
 
 namespace ridgeline::evaluate {
@@ -16,7 +15,6 @@ PlaneDifference difference_of(const RoofFace& face, const PlaneFit& fit);
 /// at all of its vertices: a face that was turned about its eave or its ridge is not.
 FaceVerdict plane_verdict(const RoofFace& face,
                           const PlaneFit& fit,
-                          const PlaneDifference& difference,
-                          const FaceOptions& options);
+                          const PlaneDifference& difference);
 
 }  // namespace ridgeline::evaluate

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/faces/whole_shift.h"
 
+#include "evaluate/faces/limits.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -53,20 +55,19 @@ class Adjustment {
 };
 
 /// Whether the border is not farther off than it was looked for.
-bool is_within_reach(const EdgeOffset& edge, const FaceOptions& options) {
-  return std::abs(edge.offset_m) < options.reach_m - 2.0 * kEdgeSigma_m;
+bool is_within_reach(const EdgeOffset& edge) {
+  return std::abs(edge.offset_m) < kFaceReach_m - 2.0 * kEdgeSigma_m;
 }
 
 bool is_right_without(const Eigen::Vector3d& shift_m,
                       const RoofFace& face,
-                      const FaceEvaluation& evaluation,
-                      const FaceOptions& options) {
+                      const FaceEvaluation& evaluation) {
   const Estimate& shift = evaluation.difference.shift_m;
   const double rest_m = shift.value - face.plane.normal().dot(shift_m);
   if (evaluation.verdict.tilt) return false;
-  if (std::abs(rest_m) > options.height_tolerance_m + shift.half_width) return false;
+  if (std::abs(rest_m) > kHeightTolerance_m + shift.half_width) return false;
   return std::ranges::all_of(evaluation.edges, [&](const EdgeOffset& edge) {
-    return is_within_reach(edge, options) &&
+    return is_within_reach(edge) &&
            std::abs(edge.offset_m - across(face, edge).dot(shift_m)) <= 2.0 * kEdgeSigma_m;
   });
 }
@@ -74,8 +75,7 @@ bool is_right_without(const Eigen::Vector3d& shift_m,
 }  // namespace
 
 std::optional<Eigen::Vector3d> whole_shift_m(std::span<const RoofFace> faces,
-                                             std::span<const FaceEvaluation> evaluations,
-                                             const FaceOptions& options) {
+                                             std::span<const FaceEvaluation> evaluations) {
   Adjustment adjustment;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (evaluations[i].status != FaceStatus::kEvaluated) continue;
@@ -83,7 +83,7 @@ std::optional<Eigen::Vector3d> whole_shift_m(std::span<const RoofFace> faces,
     adjustment.add(faces[i].plane.normal(), shift.value,
                    std::hypot(kFaceSigma_m, 0.5 * shift.half_width));
     for (const EdgeOffset& edge : evaluations[i].edges) {
-      if (is_within_reach(edge, options))
+      if (is_within_reach(edge))
         adjustment.add(across(faces[i], edge), edge.offset_m, kEdgeSigma_m);
     }
   }
@@ -93,9 +93,9 @@ std::optional<Eigen::Vector3d> whole_shift_m(std::span<const RoofFace> faces,
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (evaluations[i].status != FaceStatus::kEvaluated) continue;
     judged_m2 += faces[i].area_m2;
-    if (is_right_without(*shift_m, faces[i], evaluations[i], options)) right_m2 += faces[i].area_m2;
+    if (is_right_without(*shift_m, faces[i], evaluations[i])) right_m2 += faces[i].area_m2;
   }
-  if (right_m2 < (1.0 - options.max_wrong_share) * judged_m2) return std::nullopt;
+  if (right_m2 < (1.0 - kMaxWrongShare) * judged_m2) return std::nullopt;
   return shift_m;
 }
 

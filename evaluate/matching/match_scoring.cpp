@@ -17,22 +17,20 @@ namespace {
 bool mate_edge_continues(const Segment2& segment,
                          const std::vector<Beside>& of_mate,
                          std::span<const ReferenceEdge> edges,
-                         Segment2 ReferenceEdge::*own,
-                         const MatchScoringOptions& options) {
+                         Segment2 ReferenceEdge::*own) {
   return std::any_of(of_mate.begin(), of_mate.end(), [&](const Beside& beside) {
-    return continues(segment, edges[beside.edge].*own, options);
+    return continues(segment, edges[beside.edge].*own);
   });
 }
 
 /// The edges that each segment lies on, in ascending order.
 std::vector<std::vector<Beside>> edges_of(std::span<const Segment2> segments,
                                           std::span<const ReferenceEdge> edges,
-                                          Segment2 ReferenceEdge::*image,
-                                          const MatchScoringOptions& options) {
+                                          Segment2 ReferenceEdge::*image) {
   std::vector<std::vector<Beside>> found(segments.size());
   for (std::size_t s = 0; s < segments.size(); ++s) {
     for (std::size_t e = 0; e < edges.size(); ++e) {
-      auto beside = lies_on(segments[s], edges[e].*image, options);
+      auto beside = lies_on(segments[s], edges[e].*image);
       if (!beside) continue;
       beside->edge = static_cast<int>(e);
       found[s].push_back(*beside);
@@ -41,9 +39,9 @@ std::vector<std::vector<Beside>> edges_of(std::span<const Segment2> segments,
   return found;
 }
 
-bool any_certain(const std::vector<Beside>& besides, const MatchScoringOptions& options) {
+bool any_certain(const std::vector<Beside>& besides) {
   return std::any_of(besides.begin(), besides.end(),
-                     [&](const Beside& beside) { return is_certain(beside, options); });
+                     [&](const Beside& beside) { return is_certain(beside); });
 }
 
 bool have_common_edge(const std::vector<Beside>& a, const std::vector<Beside>& b) {
@@ -100,10 +98,9 @@ bool is_free(const Taken& taken, int right, const Beside& wanted) {
 struct OnEdges {
   OnEdges(std::span<const Segment2> left_segments,
           std::span<const Segment2> right_segments,
-          std::span<const ReferenceEdge> edges,
-          const MatchScoringOptions& options)
-      : left(edges_of(left_segments, edges, &ReferenceEdge::base, options)),
-        right(edges_of(right_segments, edges, &ReferenceEdge::other, options)) {}
+          std::span<const ReferenceEdge> edges)
+      : left(edges_of(left_segments, edges, &ReferenceEdge::base)),
+        right(edges_of(right_segments, edges, &ReferenceEdge::other)) {}
 
   std::vector<std::vector<Beside>> left, right;
 };
@@ -119,15 +116,13 @@ MatchVerdict verdict_of(const Correspondence& match,
                         std::span<const Segment2> left,
                         std::span<const Segment2> right,
                         const OnEdges& on_edges,
-                        std::span<const ReferenceEdge> edges,
-                        const MatchScoringOptions& options) {
+                        std::span<const ReferenceEdge> edges) {
   const auto& a = on_edges.left[match.base];
   const auto& b = on_edges.right[match.other];
-  const bool continued = (a.empty() && mate_edge_continues(left[match.base], b, edges,
-                                                           &ReferenceEdge::base, options)) ||
-                         (b.empty() && mate_edge_continues(right[match.other], a, edges,
-                                                           &ReferenceEdge::other, options));
-  if (continued || (!any_certain(a, options) && !any_certain(b, options))) {
+  const bool continued =
+      (a.empty() && mate_edge_continues(left[match.base], b, edges, &ReferenceEdge::base)) ||
+      (b.empty() && mate_edge_continues(right[match.other], a, edges, &ReferenceEdge::other));
+  if (continued || (!any_certain(a) && !any_certain(b))) {
     return MatchVerdict::kUnjudged;
   }
   return have_common_edge(a, b) ? MatchVerdict::kCorrect : MatchVerdict::kFalse;
@@ -143,14 +138,13 @@ void add(MatchVerdict verdict, MatchingScore& score) {
 /// Left segments without a match that have a free mate on their edge, with that mate.
 std::vector<Correspondence> missed_matches(std::span<const Correspondence> matches,
                                            const OnEdges& on_edges,
-                                           std::size_t n_edges,
-                                           const MatchScoringOptions& options) {
+                                           std::size_t n_edges) {
   const Taken taken = taken_mates(matches, on_edges.left);
   const auto of_edge = segments_of_edges(on_edges.right, n_edges);
   const auto free_mate = [&](const Beside& a) -> std::optional<int> {
-    if (!is_certain(a, options)) return std::nullopt;
+    if (!is_certain(a)) return std::nullopt;
     for (const OnEdge& mate : of_edge[a.edge]) {
-      if (is_certain(mate.beside, options) && overlap_along(a, mate.beside) &&
+      if (is_certain(mate.beside) && overlap_along(a, mate.beside) &&
           is_free(taken, mate.segment, a)) {
         return mate.segment;
       }
@@ -200,24 +194,22 @@ const char* name(MatchVerdict verdict) {
 MatchingScore score_matches(std::span<const Segment2> left,
                             std::span<const Segment2> right,
                             std::span<const Correspondence> matches,
-                            std::span<const ReferenceEdge> reference,
-                            const MatchScoringOptions& options) {
-  ridgeline::validate(options);
+                            std::span<const ReferenceEdge> reference) {
   check_indices(matches, left.size(), right.size());
   const std::vector<ReferenceEdge> edges = entries_of(reference, false);
   const std::vector<ReferenceEdge> wrong_pairs = entries_of(reference, true);
-  const OnEdges on_edges(left, right, edges, options);
-  const OnEdges on_wrong_pairs(left, right, wrong_pairs, options);
+  const OnEdges on_edges(left, right, edges);
+  const OnEdges on_wrong_pairs(left, right, wrong_pairs);
   MatchingScore score;
   for (const Correspondence& match : matches) {
-    MatchVerdict verdict = verdict_of(match, left, right, on_edges, edges, options);
+    MatchVerdict verdict = verdict_of(match, left, right, on_edges, edges);
     if (verdict == MatchVerdict::kUnjudged &&
         have_common_edge(on_wrong_pairs.left[match.base], on_wrong_pairs.right[match.other])) {
       verdict = MatchVerdict::kFalse;
     }
     add(verdict, score);
   }
-  score.missed = missed_matches(matches, on_edges, edges.size(), options);
+  score.missed = missed_matches(matches, on_edges, edges.size());
   score.counts.n_missed = score.missed.size();
   return score;
 }

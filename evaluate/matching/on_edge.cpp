@@ -9,7 +9,11 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// Share of max_distance_px up to which a segment certainly shows the edge. Shadows and gutters run
+constexpr double kMaxDistance_px = 2.0;  // of a segment from the edge it lies on, at both ends
+constexpr double kMaxAngle_deg = 10.0;   // between both: 2 px at both ends of the shortest
+constexpr double kMinOverlap = 0.5;      // share of the shorter of both that is beside the other
+
+/// Share of kMaxDistance_px up to which a segment certainly shows the edge. Shadows and gutters run
 /// along edges a few pixels away.
 constexpr double kCertain = 0.5;
 
@@ -28,15 +32,13 @@ bool boxes_apart(const Segment2& a, const Segment2& b, double margin) {
 
 }  // namespace
 
-std::optional<Beside> lies_on(const Segment2& segment,
-                              const Segment2& edge,
-                              const MatchScoringOptions& options) {
-  if (boxes_apart(segment, edge, options.max_distance_px)) return std::nullopt;
+std::optional<Beside> lies_on(const Segment2& segment, const Segment2& edge) {
+  if (boxes_apart(segment, edge, kMaxDistance_px)) return std::nullopt;
   const Eigen::Vector2d along = edge.end - edge.start;
   const double edge_length = along.norm();
   if (!(edge_length > 0.0) || !(length(segment) > 0.0)) return std::nullopt;
   const Eigen::Vector2d direction = segment.end - segment.start;
-  if (acute_angle_rad(direction, along) > options.max_angle_deg * kRadPerDeg) {
+  if (acute_angle_rad(direction, along) > kMaxAngle_deg * kRadPerDeg) {
     return std::nullopt;
   }
   const auto parameter = [&](const Eigen::Vector2d& x) {
@@ -47,24 +49,22 @@ std::optional<Beside> lies_on(const Segment2& segment,
   const double from = std::max(0.0, std::min(t_start, t_end));
   const double to = std::min(1.0, std::max(t_start, t_end));
   const double shorter = std::min(1.0, std::abs(t_end - t_start));
-  if (to - from < options.min_overlap * shorter) return std::nullopt;
+  if (to - from < kMinOverlap * shorter) return std::nullopt;
   double distance_px = 0.0;
   for (const double t : {from, to}) {
     const double share = (t - t_start) / (t_end - t_start);
     const Eigen::Vector2d x = segment.start + share * direction;
     distance_px = std::max(distance_px, std::abs(cross(along, x - edge.start)) / edge_length);
   }
-  if (distance_px > options.max_distance_px) return std::nullopt;
+  if (distance_px > kMaxDistance_px) return std::nullopt;
   return Beside{0, from, to, distance_px};
 }
 
-bool continues(const Segment2& segment, const Segment2& edge, const MatchScoringOptions& options) {
+bool continues(const Segment2& segment, const Segment2& edge) {
   const Eigen::Vector2d along = edge.end - edge.start;
-  return lies_on(segment, {edge.start - along, edge.end + along}, options).has_value();
+  return lies_on(segment, {edge.start - along, edge.end + along}).has_value();
 }
 
-bool is_certain(const Beside& beside, const MatchScoringOptions& options) {
-  return beside.distance_px <= kCertain * options.max_distance_px;
-}
+bool is_certain(const Beside& beside) { return beside.distance_px <= kCertain * kMaxDistance_px; }
 
 }  // namespace ridgeline::evaluate

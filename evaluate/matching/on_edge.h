@@ -17,15 +17,13 @@ struct Beside {
 
 /// The stretch of the edge that the segment lies on; nothing unless it lies on the edge, see
 /// score_matches().
-std::optional<Beside> lies_on(const Segment2& segment,
-                              const Segment2& edge,
-                              const MatchScoringOptions& options);
+std::optional<Beside> lies_on(const Segment2& segment, const Segment2& edge);
 
 /// Whether the segment lies on the edge when this is extended by its own length at both ends. The
 /// reference cannot tell what is visible there.
-bool continues(const Segment2& segment, const Segment2& edge, const MatchScoringOptions& options);
+bool continues(const Segment2& segment, const Segment2& edge);
 
 /// Whether the segment lies so close that it shows the edge and not a shadow or gutter along it.
-bool is_certain(const Beside& beside, const MatchScoringOptions& options);
+bool is_certain(const Beside& beside);
 
 }  // namespace ridgeline::evaluate

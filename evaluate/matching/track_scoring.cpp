@@ -75,14 +75,13 @@ void check_tracks(std::span<const std::vector<Segment2>> segments_by_view,
 
 EdgesBeside edges_beside(std::size_t view,
                          const Segment2& segment,
-                         std::span<const TrueEdge> edges,
-                         const MatchScoringOptions& options) {
+                         std::span<const TrueEdge> edges) {
   EdgesBeside found;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     for (const ObservedSegment& run : edges[e].runs) {
       if (run.view != view) continue;
-      const std::optional<Beside> beside = lies_on(segment, run.px, options);
-      if (beside) found[e] = found[e] || is_certain(*beside, options);
+      const std::optional<Beside> beside = lies_on(segment, run.px);
+      if (beside) found[e] = found[e] || is_certain(*beside);
     }
   }
   return found;
@@ -117,15 +116,14 @@ MatchVerdict verdict_of_observation(std::size_t view,
                                     const Segment2& segment,
                                     const EdgesBeside& beside,
                                     std::size_t edge,
-                                    const TrueEdge& truth,
-                                    const MatchScoringOptions& options) {
+                                    const TrueEdge& truth) {
   if (beside.contains(edge)) return MatchVerdict::kCorrect;
   if (!beside.empty()) return MatchVerdict::kFalse;
   bool is_shown = false;
   for (const ObservedSegment& run : truth.runs) {
     if (run.view != view) continue;
     is_shown = true;
-    if (continues(segment, run.px, options)) return MatchVerdict::kUnjudged;
+    if (continues(segment, run.px)) return MatchVerdict::kUnjudged;
   }
   return is_shown ? MatchVerdict::kFalse : MatchVerdict::kUnjudged;
 }
@@ -134,8 +132,7 @@ MatchVerdict verdict_of_observation(std::size_t view,
 
 TracksScore score_tracks(std::span<const std::vector<Segment2>> segments_by_view,
                          std::span<const Track> tracks,
-                         std::span<const TrueEdge> edges,
-                         const MatchScoringOptions& options) {
+                         std::span<const TrueEdge> edges) {
   check_tracks(segments_by_view, tracks, edges);
   TracksScore score;
   CountedCells cells(edges);
@@ -143,7 +140,7 @@ TracksScore score_tracks(std::span<const std::vector<Segment2>> segments_by_view
   for (const Track& track : tracks) {
     std::vector<EdgesBeside> beside;
     for (const Observation& s : track.observations)
-      beside.push_back(edges_beside(s.view, segments_by_view[s.view][s.segment], edges, options));
+      beside.push_back(edges_beside(s.view, segments_by_view[s.view][s.segment], edges));
     const std::map<std::size_t, EdgeFit> fits = fits_of(track, beside);
     for (const auto& [edge, fit] : fits) {
       if (fit.views.size() >= 2) found_views[edge].insert(fit.views.begin(), fit.views.end());
@@ -154,7 +151,7 @@ TracksScore score_tracks(std::span<const std::vector<Segment2>> segments_by_view
       const Observation& seen = track.observations[s];
       const MatchVerdict verdict =
           own ? verdict_of_observation(seen.view, segments_by_view[seen.view][seen.segment],
-                                       beside[s], *own, edges[*own], options)
+                                       beside[s], *own, edges[*own])
               : MatchVerdict::kUnjudged;
       verdicts.push_back(verdict);
       if (verdict == MatchVerdict::kUnjudged) {

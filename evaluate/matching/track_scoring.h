@@ -41,7 +41,6 @@ struct TracksScore {
 /// for an edge in fewer than two views.
 TracksScore score_tracks(std::span<const std::vector<Segment2>> segments_by_view,
                          std::span<const Track> tracks,
-                         std::span<const TrueEdge> edges,
-                         const MatchScoringOptions& options = {});
+                         std::span<const TrueEdge> edges);
 
 }  // namespace ridgeline::evaluate

@@ -2,6 +2,7 @@
 #include "io/results/judged_model.h"
 
 #include "evaluate/faces/judge_faces.h"
+#include "evaluate/faces/limits.h"
 #include "io/results/judged_lines.h"
 #include "io/results/point_budget.h"
 #include "reconstruct/geometry/plan_box.h"
@@ -76,7 +77,7 @@ class ModelJudge {
  public:
   ModelJudge(io::CloudFiles& cloud,
              JudgedModel& judged,
-             const evaluate::FaceOptions& options,
+             const evaluate::JudgeOptions& options,
              std::uint64_t max_points)
       : cloud_(cloud), judged_(judged), options_(options), max_points_(max_points) {
     for (const RoofBuilding& building : judged.buildings) boxes_.push_back(plan_box(building));
@@ -139,7 +140,7 @@ class ModelJudge {
     return {rows, kRow_m};
   }
 
-  [[nodiscard]] double neighbour_reach_m() const { return 2.0 * options_.reach_m; }
+  [[nodiscard]] double neighbour_reach_m() const { return 2.0 * evaluate::kFaceReach_m; }
 
   /// Divides a group at the median across the longer side of its box; returns the size of the first
   /// half.
@@ -173,7 +174,7 @@ class ModelJudge {
 
   io::CloudFiles& cloud_;
   JudgedModel& judged_;
-  const evaluate::FaceOptions& options_;
+  const evaluate::JudgeOptions& options_;
   std::uint64_t max_points_;
   std::vector<Eigen::AlignedBox2d> boxes_;  ///< of the buildings in plan
 };
@@ -191,13 +192,11 @@ JudgedModel judge_model(io::CloudFiles& cloud,
   const Eigen::Vector3d by_m =
       is_moved ? Eigen::Vector3d(-evaluation.shift->shift_m) : Eigen::Vector3d::Zero();
   JudgedModel judged = roofs_of(set, by_m, frame);
-  evaluate::FaceOptions face_options;
-  face_options.judge = options;
-  ModelJudge(cloud, judged, face_options, max_memory_bytes / kBytesPerPoint)
+  ModelJudge(cloud, judged, options, max_memory_bytes / kBytesPerPoint)
       .judge(only.value_or(judged.places));
   if (only) judged = picked(*only, std::move(judged));
-  judged.rows = evaluate::building_table(judged.buildings, judged.faces, judged.points,
-                                         evaluation.lines, face_options);
+  judged.rows =
+      evaluate::building_table(judged.buildings, judged.faces, judged.points, evaluation.lines);
   return judged;
 }
 

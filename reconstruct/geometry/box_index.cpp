@@ -5,9 +5,9 @@
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
-#include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace ridgeline {
@@ -20,6 +20,11 @@ using Point = bg::model::point<double, kDim, bg::cs::cartesian>;
 
 Point<2> point(const Eigen::Vector2d& x) { return {x.x(), x.y()}; }
 Point<3> point(const Eigen::Vector3d& x) { return {x.x(), x.y(), x.z()}; }
+
+template <int kDim>
+bg::model::box<Point<kDim>> rectangle(const Eigen::AlignedBox<double, kDim>& box) {
+  return {point(box.min()), point(box.max())};
+}
 
 bool is_usable(const auto& box) {
   return !box.isEmpty() && box.min().allFinite() && box.max().allFinite();
@@ -38,16 +43,17 @@ template <int kDim>
 struct BoxIndex<kDim>::Tree {
   using Entry = std::pair<bg::model::box<Point<kDim>>, std::size_t>;
 
+  using Places = bg::index::rtree<Entry, bg::index::rstar<16>>;
+
   std::vector<Box> boxes;
-  bg::index::rtree<Entry, bg::index::rstar<16>> places;
+  Places places;
 
   explicit Tree(std::span<const Box> all) : boxes(all.begin(), all.end()) {
     std::vector<Entry> entries;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      if (is_usable(boxes[i]))
-        entries.push_back({{point(boxes[i].min()), point(boxes[i].max())}, i});
+      if (is_usable(boxes[i])) entries.emplace_back(rectangle(boxes[i]), i);
     }
-    places = {entries.begin(), entries.end()};
+    places = Places(entries.begin(), entries.end());
   }
 };
 
@@ -63,12 +69,11 @@ std::vector<std::size_t> BoxIndex<kDim>::near(const Box& box, double reach) cons
   std::vector<std::size_t> found;
   if (!tree_ || !is_usable(box)) return found;
   const Box within(box.min().array() - reach, box.max().array() + reach);
-  tree_->places.query(
-      bg::index::intersects(bg::model::box<Point<kDim>>(point(within.min()), point(within.max()))),
-      boost::make_function_output_iterator([&](const typename Tree::Entry& entry) {
-        if (tree_->boxes[entry.second].exteriorDistance(box) <= reach)
-          found.push_back(entry.second);
-      }));
+  std::vector<typename Tree::Entry> entries;
+  tree_->places.query(bg::index::intersects(rectangle(within)), std::back_inserter(entries));
+  for (const auto& [place, i] : entries) {
+    if (tree_->boxes[i].exteriorDistance(box) <= reach) found.push_back(i);
+  }
   std::ranges::sort(found);
   return found;
 }

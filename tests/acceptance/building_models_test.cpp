@@ -68,7 +68,7 @@ std::vector<BuildingRow> rows_of(const ModelSurvey& survey) {
   std::vector<std::uint8_t> classes;
   for (const io::CloudPoint& p : survey.cloud.points) classes.push_back(p.classification);
   const auto points = point_distances(grid, survey.buildings, classes);
-  return building_table(survey.buildings, faces, points, {}, {});
+  return building_table(survey.buildings, faces, points, {});
 }
 
 class ExactModels : public testing::TestWithParam<double> {};

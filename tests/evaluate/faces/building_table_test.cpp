@@ -29,7 +29,7 @@ BuildingSpec spec_of(RoofShape shape) {
 BuildingRow row_of(const RoofBuilding& building, const evaluate::PointGrid& search) {
   const auto evaluations = evaluate::judge_faces(search, std::span(&building, 1), {});
   const auto points = evaluate::point_distances(search, std::span(&building, 1), {});
-  return evaluate::building_table(std::span(&building, 1), evaluations, points, {}, {})[0];
+  return evaluate::building_table(std::span(&building, 1), evaluations, points, {})[0];
 }
 
 /// The row of a building whose faces are changed, against the scan of the one as it was made.
@@ -109,10 +109,10 @@ TEST(BuildingTable, KeepsABuildingThatChangedWhereItsOtherPointsAgree) {
   evaluate::PointDistances points;
   points.parallel_below_m = 0.02;
   const std::vector<std::vector<FaceEvaluation>> evaluations{faces};
-  EXPECT_EQ(evaluate::building_table(std::span(&building, 1), evaluations, std::span(&points, 1),
-                                     {}, {})[0]
-                .verdict,
-            BuildingVerdict::kChanged);
+  EXPECT_EQ(
+      evaluate::building_table(std::span(&building, 1), evaluations, std::span(&points, 1), {})[0]
+          .verdict,
+      BuildingVerdict::kChanged);
 }
 
 TEST(BuildingTable, FindsABuildingOnASlopeGone) {
@@ -136,7 +136,7 @@ TEST(BuildingTable, DoesNotJudgeABuildingWhoseLinesContradictItsFaces) {
   const auto verdict_with = [&](double distance_m) {
     const LineEvaluation line = line_of(building.id, "1", distance_m);
     return evaluate::building_table(std::span(&building, 1), evaluations, points,
-                                    std::span(&line, 1), {})[0]
+                                    std::span(&line, 1))[0]
         .verdict;
   };
   EXPECT_EQ(verdict_with(0.1), BuildingVerdict::kRight);
@@ -235,18 +235,17 @@ TEST(BuildingTable, WeighsVerdictsByArea) {
                     face(40.0, false, true, FaceStatus::kEvaluated),
                     face(30.0, false, false, FaceStatus::kEvaluated),
                     face(500.0, false, false, FaceStatus::kSteep)};
-  const BuildingRow row = evaluate::building_table(buildings, evaluations, points, {}, {})[0];
+  const BuildingRow row = evaluate::building_table(buildings, evaluations, points, {})[0];
   EXPECT_EQ(row.verdict, BuildingVerdict::kWrongOutline);
   EXPECT_NEAR(row.wrong_height, 0.3, 1e-12);
   EXPECT_NEAR(row.wrong_outline, 0.4, 1e-12);
   EXPECT_NEAR(row.area_m2, 100.0, 1e-12);
   evaluations[0][2].status = FaceStatus::kNoLidar;
   evaluations[0][2].area_m2 = 80.0;
-  EXPECT_EQ(evaluate::building_table(buildings, evaluations, points, {}, {})[0].verdict,
+  EXPECT_EQ(evaluate::building_table(buildings, evaluations, points, {})[0].verdict,
             BuildingVerdict::kNotJudged);
   evaluations[0].pop_back();
-  EXPECT_THROW(evaluate::building_table(buildings, evaluations, points, {}, {}),
-               std::invalid_argument);
+  EXPECT_THROW(evaluate::building_table(buildings, evaluations, points, {}), std::invalid_argument);
 }
 
 TEST(BuildingTable, SumsUpTheLinesOfEachBuilding) {
@@ -257,7 +256,7 @@ TEST(BuildingTable, SumsUpTheLinesOfEachBuilding) {
                                           line_of("a", "3", 0.4), line_of("a", "4", -1.0),
                                           line_of("x", "5", 9.0), line_of("a", "6", 0.4)};
   const std::vector<BuildingRow> rows =
-      evaluate::building_table(buildings, evaluations, points, lines, {});
+      evaluate::building_table(buildings, evaluations, points, lines);
   EXPECT_EQ(rows[0].n_lines, 4);
   EXPECT_EQ(rows[0].n_judged_lines, 3);
   EXPECT_NEAR(*rows[0].rms_m, std::sqrt((0.09 + 0.16 + 0.16) / 3.0), 1e-12);

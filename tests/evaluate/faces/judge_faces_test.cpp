@@ -13,14 +13,14 @@ namespace ridgeline::test {
 namespace {
 
 using evaluate::FaceEvaluation;
-using evaluate::FaceOptions;
 using evaluate::FaceStatus;
+using evaluate::JudgeOptions;
 using evaluate::RoofBuilding;
 using V = Eigen::Vector3d;
 
 std::vector<FaceEvaluation> judged(const RoofBuilding& building,
                                    const evaluate::PointSearch& search,
-                                   const FaceOptions& options = {}) {
+                                   const JudgeOptions& options = {}) {
   return evaluate::judge_faces(search, std::span(&building, 1), options)[0];
 }
 
@@ -285,11 +285,8 @@ TEST(JudgeFaces, TakesFacesOfAnyRings) {
 
 TEST(JudgeFaces, RefusesOptionsOutOfRange) {
   const evaluate::PointGrid grid = scan_of(gable(), {});
-  FaceOptions options;
-  options.reach_m = -1.0;
-  EXPECT_THROW(evaluate::judge_faces(grid, {}, options), std::invalid_argument);
-  options = {};
-  options.judge.min_points = 0;
+  JudgeOptions options;
+  options.min_points = 0;
   EXPECT_THROW(evaluate::judge_faces(grid, {}, options), std::invalid_argument);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/faces/outline.h"
 
+#include "evaluate/faces/limits.h"
 #include "tests/evaluate/faces/judged_building.h"
 
 #include <gmock/gmock.h>
@@ -11,7 +12,6 @@ namespace ridgeline::test {
 namespace {
 
 using evaluate::EdgeOffset;
-using evaluate::FaceOptions;
 using evaluate::FacePoint;
 using evaluate::NeighbourFace;
 using evaluate::PlacedPoint;
@@ -49,14 +49,12 @@ std::vector<V> points_up_to(double border, double from = 8.0, double to = 12.0) 
 }
 
 /// The offset of the edge of a face of 10 m x 10 m at x = 10.
-EdgeOffset offset_by(const std::vector<V>& points,
-                     std::span<const NeighbourFace> neighbours = {},
-                     const FaceOptions& options = {}) {
+EdgeOffset offset_by(const std::vector<V>& points, std::span<const NeighbourFace> neighbours = {}) {
   const RoofFace face = level_strip(0.0, 10.0);
   const evaluate::PointGrid grid = grid_of(points);
-  const std::vector<FacePoint> around = points_around(grid, face, options.reach_m);
-  const std::vector<PlacedPoint> places = placed_points(around, face, kLevel, neighbours, options);
-  const std::vector<EdgeOffset> edges = edge_offsets(around, places, face, kPointsPerM2, options);
+  const std::vector<FacePoint> around = points_around(grid, face, evaluate::kFaceReach_m);
+  const std::vector<PlacedPoint> places = placed_points(around, face, kLevel, neighbours, {});
+  const std::vector<EdgeOffset> edges = edge_offsets(around, places, face, kPointsPerM2);
   EXPECT_EQ(edges.size(), 1U);
   return edges.empty() ? EdgeOffset{} : edges.front();
 }
@@ -146,7 +144,7 @@ TEST(EdgeOffsets, LeaveOutEdgesWithFewPoints) {
   const evaluate::PointGrid grid = grid_of(points);
   const std::vector<FacePoint> around = points_around(grid, face, 1.5);
   const std::vector<PlacedPoint> places = placed_points(around, face, kLevel, {}, {});
-  EXPECT_TRUE(edge_offsets(around, places, face, kPointsPerM2, {}).empty());
+  EXPECT_TRUE(edge_offsets(around, places, face, kPointsPerM2).empty());
 }
 
 TEST(PlacedPoints, OfAPlaneThatGoesOnInANeighbourSayNothing) {
@@ -203,7 +201,7 @@ TEST(PlacedPoints, OnAFaceAboveAreNotMissing) {
 TEST(IsOutlineWrong, NeedsAnOffsetAndPoints) {
   const auto is_wrong = [](double offset_m, int n_contradictions) {
     const EdgeOffset edge{0, offset_m, n_contradictions};
-    return is_outline_wrong(std::span(&edge, 1), {});
+    return is_outline_wrong(std::span(&edge, 1));
   };
   EXPECT_TRUE(is_wrong(0.31, 5));
   EXPECT_TRUE(is_wrong(-0.31, 5));

@@ -22,7 +22,7 @@ const looks: Record<string, { colour: string; dash?: string }> = {
 };
 export const lookOf = (verdict: string): { colour: string; dash?: string } => looks[verdict] ?? { colour: okabeIto.grey };
 
-/** Of the lines of a right building; FaceOptions::outline_tolerance_m has the same. */
+/** Of the lines of a right building; evaluate/faces/limits.h has the same. */
 const mostRms_m = 0.3;
 
 /** What is wrong with a building, in one sentence. */
