@@ -2,6 +2,7 @@
 #include "evaluate/matching/match_scoring.h"
 
 #include "evaluate/matching/on_edge.h"
+#include "reconstruct/geometry/check.h"
 
 #include <algorithm>
 #include <cmath>
