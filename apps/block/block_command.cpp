@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/block/block_steps.h"
 #include "apps/block/cluster_files.h"
 #include "apps/block/frames_block.h"
-#include "apps/block/lines_block.h"
 #include "apps/common/command.h"
 #include "apps/common/say.h"
 #include "apps/common/shared_options.h"
 #include "apps/report/write_report.h"
 #include "apps/run/run_options.h"
 #include "io/error.h"
-#include "io/project/lines_block_file.h"
 #include "io/text/text.h"
 #include "reconstruct/geometry/check.h"
 
@@ -55,7 +52,7 @@ std::string duration_text(double seconds) {
 /// Runs tasks one after another, and says after each how long the rest will take. A task that fails
 /// is told, and the others go on.
 /// @return the number of tasks that failed
-std::size_t run_tasks(BlockSteps& block, std::size_t first, std::size_t last) {
+std::size_t run_tasks(FramesBlock& block, std::size_t first, std::size_t last) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   std::size_t n_failed = 0;
@@ -80,7 +77,7 @@ std::size_t run_tasks(BlockSteps& block, std::size_t first, std::size_t last) {
 }
 
 /// "120 tasks; foreseen: 96 min of processor time in all, 900 MiB for the largest".
-std::string foreseen_text(const BlockSteps& block) {
+std::string foreseen_text(const FramesBlock& block) {
   Foreseen all;
   for (std::size_t i = 0; i < block.n_tasks(); ++i) {
     const Foreseen task = block.foreseen_of_task(i);
@@ -91,51 +88,39 @@ std::string foreseen_text(const BlockSteps& block) {
                      block.n_tasks(), duration_text(all.seconds), all.memory_mib);
 }
 
-std::unique_ptr<BlockSteps> block_of(const BlockArguments& a) {
-  RunOptions options = run_options(a.flags);
-  options.n_decoys = 0;  // parts of a block know only some of its lines
-  if (!io::is_lines_block(a.file)) return make_frames_block(a.file, a.out, options);
-  LinesBlockOptions of_lines;
-  of_lines.parameters = a.flags.parameters;
-  of_lines.summary = options.summary;
-  of_lines.schema = a.flags.schema;
-  of_lines.shift = options.shift;
-  of_lines.report = options.report;
-  of_lines.page = options.page;
-  return make_lines_block(a.file, a.out, of_lines);
-}
-
 /// `jobs`: as the command line states it, 0 without.
 int run_block(const BlockArguments& a, int jobs) {
-  const std::unique_ptr<BlockSteps> block = block_of(a);
+  RunOptions options = run_options(a.flags);
+  options.n_decoys = 0;  // parts of a block know only some of its lines
+  FramesBlock block(a.file, a.out, std::move(options));
   const bool is_one_step = !a.task.empty() || a.merge;
   const std::filesystem::path plan = std::filesystem::path(a.out) / "plan.json";
   if (is_one_step && !std::filesystem::exists(plan)) {
     throw io::IoError(plan.string(), "there is no plan; make it first: ridgeline block " + a.file +
                                          " --out " + a.out + " --plan");
   }
-  block->plan();
+  block.plan();
   if (!a.task.empty()) {
-    const auto [first, last] = tasks_of(a.task, block->n_tasks());
-    return run_tasks(*block, first, last) == 0 ? kDone : kWrongInput;
+    const auto [first, last] = tasks_of(a.task, block.n_tasks());
+    return run_tasks(block, first, last) == 0 ? kDone : kWrongInput;
   }
   if (a.plan) {
     say("{}: {}. Next: ridgeline block {} --out {} --task 1-{}, then --merge\n", plan.string(),
-        foreseen_text(*block), a.file, a.out, block->n_tasks());
+        foreseen_text(block), a.file, a.out, block.n_tasks());
     return kDone;
   }
   if (a.slurm) {
     // A task with one thread does most in its processor time, and there are many tasks.
-    write_cluster_files(*block, a.out, std::max(jobs, 1));
+    write_cluster_files(block, a.out, std::max(jobs, 1));
     return kDone;
   }
-  if (!a.merge) (void)run_tasks(*block, 0, block->n_tasks() - 1);
-  const std::size_t n_missing = block->merge();
+  if (!a.merge) (void)run_tasks(block, 0, block.n_tasks() - 1);
+  const std::size_t n_missing = block.merge();
   say("Results: {}\n", std::filesystem::absolute(a.out).lexically_normal().string());
   if (n_missing == 0) return kDone;
   spdlog::error(
       "{} of {} tasks have no results; mend what they name and start again: the others are kept",
-      n_missing, block->n_tasks());
+      n_missing, block.n_tasks());
   return kWrongInput;
 }
 
@@ -162,9 +147,7 @@ void add_steps(CLI::App& app, BlockArguments& a) {
 
 Run add_block(CLI::App& subcommand) {
   auto a = std::make_shared<BlockArguments>();
-  subcommand
-      .add_option("block", a->file,
-                  "block file (YAML): frames, their orientation, LIDAR; or lines and LIDAR")
+  subcommand.add_option("block", a->file, "block file (YAML): frames, their orientation, LIDAR")
       ->required();
   subcommand
       .add_option("--out", a->out, "folder of the block; what is finished there is not done again")

@@ -38,7 +38,7 @@ std::vector<std::string> words_of_all_steps() {
   return words;
 }
 
-SlurmJob job_of(const BlockSteps& block, const std::string& folder, int threads) {
+SlurmJob job_of(const FramesBlock& block, const std::string& folder, int threads) {
   SlurmJob job;
   job.program = fs::read_symlink("/proc/self/exe").string();
   job.words = words_of_all_steps();
@@ -60,7 +60,7 @@ SlurmJob job_of(const BlockSteps& block, const std::string& folder, int threads)
 
 }  // namespace
 
-void write_cluster_files(const BlockSteps& block, const std::string& folder, int threads) {
+void write_cluster_files(const FramesBlock& block, const std::string& folder, int threads) {
   const SlurmJob job = job_of(block, folder, threads);
   const results::OutputFolder out(folder, {});
   out.write("tasks.sbatch", tasks_script(job));

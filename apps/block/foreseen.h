@@ -33,16 +33,4 @@ constexpr Foreseen foreseen_of_merge(std::size_t n_patches, std::uint64_t lidar_
           kProgramMib + kMibPerPatch * n};
 }
 
-/// A task that judges lines, and their merge, which reads no points. `evaluate` judges 33,500 lines
-/// in 10 million points in 9.3 s with 612 MB. `points_mib`: what points may take.
-constexpr Foreseen foreseen_of_judging(std::size_t n_lines, std::uint64_t points_mib) {
-  constexpr double kProgram_s = 10.0;
-  constexpr double kSecondsPerLine = 0.001;
-  constexpr double kProgramMib = 200.0;
-  constexpr double kMibPerLine = 0.02;
-  const auto n = static_cast<double>(n_lines);
-  return {kProgram_s + kSecondsPerLine * n,
-          kProgramMib + kMibPerLine * n + static_cast<double>(points_mib)};
-}
-
 }  // namespace ridgeline::apps

@@ -9,7 +9,6 @@
 #include "io/error.h"
 #include "io/files/atomic_file.h"
 #include "io/files/input_file.h"
-#include "reconstruct/geometry/check.h"
 
 #include <fmt/format.h>
 
@@ -22,105 +21,86 @@ namespace ridgeline::apps {
 namespace fs = std::filesystem;
 namespace {
 
-class FramesBlock final : public BlockSteps {
- public:
-  FramesBlock(const std::string& block_file, const std::string& out, RunOptions options)
-      : folder_(fs::absolute(out).lexically_normal()),
-        options_(std::move(options)),
-        block_(read_block(block_file)) {
-    block_.patch.max_image_mpx = options_.max_image_mpx;
+/// On a full disk the reason cannot be kept, and it matters more than that.
+void keep_failure(const BlockTask& task, const std::string& reason) {
+  try {
+    task.keep_failure(reason);
+  } catch (const io::IoError& error) {
+    spdlog::debug("{}", error.what());
   }
-
-  void plan() override {
-    if (fs::exists(plan_path())) {
-      take_plan();
-      return;
-    }
-    plan_ = plan_block(block_);
-    io::write_file(plan_path(), to_json(*plan_));
-    inform_of(block_.patch.decisions);
-    warn_of(plan_->warnings);
-  }
-
-  [[nodiscard]] std::size_t n_tasks() const override { return plan_->patches.size(); }
-  [[nodiscard]] std::string name_of(std::size_t i) const override {
-    return "patch " + plan_->patches.at(i).id;
-  }
-
-  [[nodiscard]] Foreseen foreseen_of_task(std::size_t i) const override {
-    const PlannedPatch& patch = plan_->patches.at(i);
-    return {patch.foreseen_s, patch.foreseen_mib};
-  }
-
-  [[nodiscard]] Foreseen foreseen_of_merge() const override {
-    std::uint64_t lidar_bytes = 0;
-    for (const FileState& file : plan_->inputs) {
-      if (file.role == "cloud") lidar_bytes += file.bytes;
-    }
-    return apps::foreseen_of_merge(n_tasks(), lidar_bytes);
-  }
-
-  void run_task(std::size_t i) override {
-    const BlockTask task(folder_, block_, *plan_, plan_->patches.at(i), options_);
-    if (task.is_done()) return;
-    try {
-      task.run();
-    } catch (const std::exception& error) {
-      keep_failure(task, error.what());
-      throw;
-    }
-  }
-
-  std::size_t merge() override {
-    const std::size_t n_missing = merge_block(block_, *plan_, options_, folder_);
-    write_report_of_run(folder_.string(), options_.report);
-    return n_missing;
-  }
-
- private:
-  [[nodiscard]] std::string plan_path() const { return (folder_ / "plan.json").string(); }
-
-  /// On a full disk the reason cannot be kept, and it matters more than that.
-  static void keep_failure(const BlockTask& task, const std::string& reason) {
-    try {
-      task.keep_failure(reason);
-    } catch (const io::IoError& error) {
-      spdlog::debug("{}", error.what());
-    }
-  }
-
-  /// Takes the plan that is there. Throws IoError if it is of another block, or if what it was made
-  /// from has changed since; then the message names the file that changed, if it is a listed one.
-  /// Frames are checked by the tasks that use them.
-  void take_plan() {
-    plan_ = read_block_plan(plan_path());
-    if (plan_->block_file != block_.patch.path) {
-      throw io::IoError(plan_path(),
-                        fmt::format("is the plan of {}; a folder holds one block, give "
-                                    "another one by --out",
-                                    plan_->block_file));
-    }
-    if (plan_->key == key_of_plan(block_, planned_inputs(block_))) return;
-    for (const FileState& file : plan_->inputs) require_unchanged(file);
-    for (const PlannedFrame& frame : plan_->frames) io::require_regular_file(frame.file.path);
-    throw io::IoError(plan_path(),
-                      "was made from other poses, cameras or files, or by another version of the "
-                      "program; remove it to plan again: finished patches that stay as they are "
-                      "are kept");
-  }
-
-  fs::path folder_;
-  RunOptions options_;
-  io::BlockFile block_;
-  std::optional<BlockPlan> plan_;
-};
+}
 
 }  // namespace
 
-std::unique_ptr<BlockSteps> make_frames_block(const std::string& block_file,
-                                              const std::string& out,
-                                              const RunOptions& options) {
-  return std::make_unique<FramesBlock>(block_file, out, options);
+FramesBlock::FramesBlock(const std::string& block_file, const std::string& out, RunOptions options)
+    : folder_(fs::absolute(out).lexically_normal()),
+      options_(std::move(options)),
+      block_(read_block(block_file)) {
+  block_.patch.max_image_mpx = options_.max_image_mpx;
+}
+
+void FramesBlock::plan() {
+  if (fs::exists(plan_path())) {
+    take_plan();
+    return;
+  }
+  plan_ = plan_block(block_);
+  io::write_file(plan_path(), to_json(*plan_));
+  inform_of(block_.patch.decisions);
+  warn_of(plan_->warnings);
+}
+
+std::size_t FramesBlock::n_tasks() const { return plan_->patches.size(); }
+
+std::string FramesBlock::name_of(std::size_t i) const { return "patch " + plan_->patches.at(i).id; }
+
+Foreseen FramesBlock::foreseen_of_task(std::size_t i) const {
+  const PlannedPatch& patch = plan_->patches.at(i);
+  return {patch.foreseen_s, patch.foreseen_mib};
+}
+
+Foreseen FramesBlock::foreseen_of_merge() const {
+  std::uint64_t lidar_bytes = 0;
+  for (const FileState& file : plan_->inputs) {
+    if (file.role == "cloud") lidar_bytes += file.bytes;
+  }
+  return apps::foreseen_of_merge(n_tasks(), lidar_bytes);
+}
+
+void FramesBlock::run_task(std::size_t i) {
+  const BlockTask task(folder_, block_, *plan_, plan_->patches.at(i), options_);
+  if (task.is_done()) return;
+  try {
+    task.run();
+  } catch (const std::exception& error) {
+    keep_failure(task, error.what());
+    throw;
+  }
+}
+
+std::size_t FramesBlock::merge() {
+  const std::size_t n_missing = merge_block(block_, *plan_, options_, folder_);
+  write_report_of_run(folder_.string(), options_.report);
+  return n_missing;
+}
+
+/// Takes the plan that is there. Throws IoError if it is of another block, or if what it was made
+/// from has changed since; then the message names the file that changed, if it is a listed one.
+/// Frames are checked by the tasks that use them.
+void FramesBlock::take_plan() {
+  plan_ = read_block_plan(plan_path());
+  if (plan_->block_file != block_.patch.path) {
+    throw io::IoError(plan_path(), fmt::format("is the plan of {}; a folder holds one block, give "
+                                               "another one by --out",
+                                               plan_->block_file));
+  }
+  if (plan_->key == key_of_plan(block_, planned_inputs(block_))) return;
+  for (const FileState& file : plan_->inputs) require_unchanged(file);
+  for (const PlannedFrame& frame : plan_->frames) io::require_regular_file(frame.file.path);
+  throw io::IoError(plan_path(),
+                    "was made from other poses, cameras or files, or by another version of the "
+                    "program; remove it to plan again: finished patches that stay as they are "
+                    "are kept");
 }
 
 }  // namespace ridgeline::apps

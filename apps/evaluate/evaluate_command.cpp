@@ -180,7 +180,8 @@ io::ReadOptions read_options(const EvaluateArguments& a) {
 }
 
 Eigen::AlignedBox2d area_of(const EvaluateArguments& a) {
-  const Eigen::AlignedBox2d area({a.area[0], a.area[1]}, {a.area[2], a.area[3]});
+  const Eigen::AlignedBox2d area(Eigen::Vector2d(a.area[0], a.area[1]),
+                                 Eigen::Vector2d(a.area[2], a.area[3]));
   check(area.min().allFinite() && area.max().allFinite() && (area.sizes().array() > 0.0).all(),
         "--area = ", a.area[0], ",", a.area[1], ",", a.area[2], ",", a.area[3],
         ", must be x_min,y_min,x_max,y_max with x_min < x_max and y_min < y_max");

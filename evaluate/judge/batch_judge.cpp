@@ -160,16 +160,6 @@ std::vector<JudgedResult> BatchJudge::take_results() {
   return std::move(results_);
 }
 
-std::vector<JudgedResult> BatchJudge::take_part() { return std::move(results_); }
-
-void join_parts(std::span<const JudgedLine> lines, std::vector<JudgedResult>& results) {
-  check(lines.size() == results.size(), "join_parts: ", results.size(), " results of ",
-        lines.size(), " lines, must be one for each");
-  const std::vector<char> repeated = repeated_ids(lines);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (repeated[i] != 0) results[i] = duplicate(lines[i]);
-  }
-  identify_planes(lines, results);
-}
+std::vector<JudgedResult> BatchJudge::take_without_ids() { return std::move(results_); }
 
 }  // namespace ridgeline::evaluate

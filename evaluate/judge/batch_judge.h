@@ -24,9 +24,8 @@ class BatchJudge {
   /// judge_lines().
   std::vector<JudgedResult> take_results();
 
-  /// The same results for lines that are a part of all, to be taken instead. Planes have no ids
-  /// yet; see join_parts().
-  std::vector<JudgedResult> take_part();
+  /// The same results, to be taken instead, whose planes have no ids.
+  std::vector<JudgedResult> take_without_ids();
 
  private:
   std::span<const JudgedLine> lines_;
@@ -34,10 +33,5 @@ class BatchJudge {
   std::vector<char> repeated_;
   std::vector<JudgedResult> results_;
 };
-
-/// Makes the results of lines that were judged part by part, each part by a BatchJudge of its own,
-/// those of judge_lines(): later lines of an id become `duplicate_id`, planes get their ids.
-/// `results` holds one for each line. Throws std::invalid_argument if it does not.
-void join_parts(std::span<const JudgedLine> lines, std::vector<JudgedResult>& results);
 
 }  // namespace ridgeline::evaluate

@@ -16,7 +16,6 @@
 #include <cmath>
 #include <limits>
 #include <new>
-#include <unordered_map>
 #include <utility>
 
 namespace ridgeline::io {
@@ -270,37 +269,6 @@ std::vector<std::string> CloudFiles::unread_paths() const {
     if (!file.is_read) paths.push_back(file.info.path);
   }
   return paths;
-}
-
-std::vector<std::size_t> CloudFiles::read_places() const {
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < files_.size(); ++i) {
-    if (files_[i].is_read) places.push_back(i);
-  }
-  return places;
-}
-
-void CloudFiles::count_as_read(const std::vector<std::size_t>& places) {
-  for (const std::size_t place : places) {
-    check(place < files_.size(), "count_as_read: place ", place, " of ", files_.size(),
-          " files, must be below their number");
-    files_[place].is_read = true;
-  }
-}
-
-void CloudFiles::sort_warnings(std::vector<std::string>& warnings) const {
-  std::unordered_map<std::string, std::size_t> rank_of_path;
-  for (const File& file : files_) rank_of_path.emplace(file.info.path, 1 + rank_of_path.size());
-  const auto rank = [&](const std::string& warning) -> std::size_t {
-    if (std::ranges::find(warnings_, warning) != warnings_.end()) return 0;
-    for (std::size_t end = warning.find(": "); end != std::string::npos;
-         end = warning.find(": ", end + 1)) {
-      const auto file = rank_of_path.find(warning.substr(0, end));
-      if (file != rank_of_path.end()) return file->second;
-    }
-    return 1 + files_.size();
-  };
-  std::ranges::stable_sort(warnings, {}, rank);
 }
 
 Eigen::AlignedBox3d CloudFiles::extent_in_world() {

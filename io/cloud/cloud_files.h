@@ -69,16 +69,6 @@ class CloudFiles {
   /// The files that every reading has passed over so far.
   [[nodiscard]] std::vector<std::string> unread_paths() const;
 
-  /// The places of the files that some reading has not passed over, in the order of the files.
-  [[nodiscard]] std::vector<std::size_t> read_places() const;
-  /// Counts files as read, because another process has read them. Throws std::invalid_argument for
-  /// a place of no file.
-  void count_as_read(const std::vector<std::size_t>& places);
-
-  /// Puts warnings of readings in other processes into the order of one reading: those of all files
-  /// first, then file by file.
-  void sort_warnings(std::vector<std::string>& warnings) const;
-
   /// The box of the points that the options keep, metres; empty without any. Reads all files.
   [[nodiscard]] Eigen::AlignedBox3d extent_in_world();
 

@@ -75,8 +75,9 @@ FileKind kind_of_result(const TopKeys& keys) {
 /// The kind of a file that users write: the one of which it has the most keys, as single keys may
 /// be wrong.
 FileKind kind_of_settings(const TopKeys& keys) {
-  if (keys.has("block") || (keys.has("lines") && keys.has("lidar")))
-    return ours(kBlock, "a block file");
+  if (keys.has("lines") && keys.has("lidar"))
+    return not_read("a list of lines to judge", "judge them by evaluate --area and pool");
+  if (keys.has("block")) return ours(kBlock, "a block file");
   const auto count = [&](std::initializer_list<const char*> known) {
     return std::ranges::count_if(known, [&](const char* name) { return keys.has(name); });
   };

@@ -80,6 +80,28 @@ evaluate::JudgeOptions without_points(evaluate::JudgeOptions options) {
   return options;
 }
 
+/// Adds the readings of another batch to those of all.
+void add(CloudReadings part, CloudReadings& sum) {
+  sum.n_batches += part.n_batches;
+  sum.n_kept += part.n_kept;
+  io::PointCloud& cloud = sum.cloud;
+  cloud.frame = part.cloud.frame;
+  cloud.crs = std::move(part.cloud.crs);
+  cloud.horizontal_unit_m = part.cloud.horizontal_unit_m;
+  cloud.vertical_unit_m = part.cloud.vertical_unit_m;
+  for (const auto count :
+       {&io::PointCloud::n_read, &io::PointCloud::n_dropped_class,
+        &io::PointCloud::n_dropped_withheld, &io::PointCloud::n_dropped_return,
+        &io::PointCloud::n_dropped_bounds, &io::PointCloud::n_dropped_non_finite}) {
+    cloud.*count += part.cloud.*count;
+  }
+  for (std::string& warning : part.cloud.warnings) {
+    if (std::ranges::find(cloud.warnings, warning) == cloud.warnings.end()) {
+      cloud.warnings.push_back(std::move(warning));
+    }
+  }
+}
+
 class BatchedJudge {
  public:
   /// From `first_decoys` on the sets of lines are decoys.
@@ -113,8 +135,7 @@ class BatchedJudge {
     if (!near) near = read_beyond_limit(batch, surroundings);
     const std::size_t n_kept = near->points.size();
     const evaluate::PointGrid grid = grid_of(*near);
-    add({.n_batches = 1, .n_kept = n_kept, .cloud = std::move(*near), .read_places = {}},
-        readings_);
+    add({.n_batches = 1, .n_kept = n_kept, .cloud = std::move(*near)}, readings_);
     for (std::size_t set = 0; set < judges_.size(); ++set) {
       std::vector<std::size_t> numbers;
       for (const LineRef& ref : batch) {
@@ -124,29 +145,25 @@ class BatchedJudge {
     }
   }
 
-  JudgedBatches take() { return taken(&evaluate::BatchJudge::take_results); }
+  JudgedBatches take() {
+    JudgedBatches judged{.results = {}, .readings = std::move(readings_), .decoys = {}};
+    judged.results.reserve(first_decoys_);
+    for (std::size_t set = 0; set < first_decoys_; ++set) {
+      judged.results.push_back(judges_[set].take_results());
+    }
+    return judged;
+  }
   /// The results of the decoys, whose planes have no ids.
   LineEvaluations take_decoys() {
     LineEvaluations results;
     for (std::size_t set = first_decoys_; set < judges_.size(); ++set) {
-      results.push_back(transformed(judges_[set].take_part(), &evaluate::JudgedResult::evaluation));
+      results.push_back(
+          transformed(judges_[set].take_without_ids(), &evaluate::JudgedResult::evaluation));
     }
     return results;
   }
-  /// The results of lines that are a part of all.
-  JudgedBatches take_part() { return taken(&evaluate::BatchJudge::take_part); }
 
  private:
-  JudgedBatches taken(std::vector<evaluate::JudgedResult> (evaluate::BatchJudge::*results_of)()) {
-    readings_.read_places = cloud_.read_places();
-    JudgedBatches judged{.results = {}, .readings = std::move(readings_), .decoys = {}};
-    judged.results.reserve(first_decoys_);
-    for (std::size_t set = 0; set < first_decoys_; ++set) {
-      judged.results.push_back((judges_[set].*results_of)());
-    }
-    return judged;
-  }
-
   [[nodiscard]] Eigen::Vector2d middle(const LineRef& ref) const {
     const Segment3& segment = lines_[ref.set][ref.line].segment;
     return evaluate::in_range(segment) ? midpoint(plan(segment)) : Eigen::Vector2d::Zero().eval();
@@ -225,30 +242,6 @@ bool all_lie_elsewhere(const JudgedBatches& judged) {
 
 }  // namespace
 
-void add(CloudReadings part, CloudReadings& sum) {
-  sum.n_batches += part.n_batches;
-  sum.n_kept += part.n_kept;
-  io::PointCloud& cloud = sum.cloud;
-  cloud.frame = part.cloud.frame;
-  cloud.crs = std::move(part.cloud.crs);
-  cloud.horizontal_unit_m = part.cloud.horizontal_unit_m;
-  cloud.vertical_unit_m = part.cloud.vertical_unit_m;
-  for (const auto count :
-       {&io::PointCloud::n_read, &io::PointCloud::n_dropped_class,
-        &io::PointCloud::n_dropped_withheld, &io::PointCloud::n_dropped_return,
-        &io::PointCloud::n_dropped_bounds, &io::PointCloud::n_dropped_non_finite}) {
-    cloud.*count += part.cloud.*count;
-  }
-  for (std::string& warning : part.cloud.warnings) {
-    if (std::ranges::find(cloud.warnings, warning) == cloud.warnings.end()) {
-      cloud.warnings.push_back(std::move(warning));
-    }
-  }
-  std::vector<std::size_t> places;
-  std::ranges::set_union(sum.read_places, part.read_places, std::back_inserter(places));
-  sum.read_places = std::move(places);
-}
-
 JudgedBatches judge_in_batches(io::CloudFiles& cloud,
                                const LineSets& lines,
                                const evaluate::JudgeOptions& options,
@@ -272,15 +265,6 @@ JudgedBatches judge_in_batches(io::CloudFiles& cloud,
     return judged;
   cloud.distrust_headers();  // before the lines are said to lie elsewhere
   return judge_once(std::move(decoys));
-}
-
-JudgedBatches judge_part(io::CloudFiles& cloud,
-                         const LineSets& part,
-                         const evaluate::JudgeOptions& options,
-                         std::uint64_t max_memory_bytes) {
-  BatchedJudge judge(cloud, part, part.size(), options, max_memory_bytes / kBytesPerPoint);
-  judge_all(judge, near_and_far(part));
-  return judge.take_part();
 }
 
 }  // namespace ridgeline::results

@@ -22,11 +22,7 @@ struct CloudReadings {
   std::size_t n_batches = 0;
   std::uint64_t n_kept = 0;
   io::PointCloud cloud;  ///< without points: reference system, units, counts, warnings
-  std::vector<std::size_t> read_places;  ///< CloudFiles::read_places() afterwards
 };
-
-/// Adds the readings of another batch or process to those of all.
-void add(CloudReadings part, CloudReadings& sum);
 
 struct JudgedBatches {
   std::vector<std::vector<evaluate::JudgedResult>> results;  ///< by set, by line
@@ -48,13 +44,5 @@ JudgedBatches judge_in_batches(io::CloudFiles& cloud,
                                std::uint64_t max_memory_bytes,
                                DecoySets decoys = {},
                                bool all_lines = true);
-
-/// Judges lines that are a part of all, for JudgedParts. Planes have no ids yet. Bounds in headers
-/// of the cloud are trusted even if no point is found: other parts may find some. Throws IoError as
-/// read_cloud().
-JudgedBatches judge_part(io::CloudFiles& cloud,
-                         const LineSets& part,
-                         const evaluate::JudgeOptions& options,
-                         std::uint64_t max_memory_bytes);
 
 }  // namespace ridgeline::results

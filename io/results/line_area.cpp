@@ -12,10 +12,10 @@ namespace ridgeline::results {
 namespace {
 
 using evaluate::JudgedLine;
-using Places = std::vector<std::optional<Eigen::Vector2d>>;
+using Middles = std::vector<std::optional<Eigen::Vector2d>>;
 
 /// Whether each place is in the area; what has no place is where the middle of all places is.
-std::vector<bool> are_in(const Eigen::AlignedBox2d& area, const Places& places) {
+std::vector<bool> are_in(const Eigen::AlignedBox2d& area, const Middles& places) {
   Eigen::AlignedBox2d all;
   for (const auto& place : places) {
     if (place) all.extend(*place);
@@ -42,7 +42,7 @@ std::vector<bool> are_buildings_in(const Eigen::AlignedBox2d& area,
       }
     }
   }
-  Places places;
+  Middles places;
   for (const Eigen::AlignedBox2d& outline : outlines) {
     places.push_back(outline.isEmpty() ? std::nullopt : std::optional(outline.center().eval()));
   }
@@ -59,7 +59,7 @@ std::vector<bool> are_lines_in(const Eigen::AlignedBox2d& area,
     for (const io::Line& line : set.lines) is_in.push_back(buildings[line.row]);
     return is_in;
   }
-  Places places;
+  Middles places;
   for (const JudgedLine& line : lines) {
     places.push_back(evaluate::in_range(line.segment) ? std::optional(midpoint(plan(line.segment)))
                                                       : std::nullopt);

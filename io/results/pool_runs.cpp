@@ -5,13 +5,15 @@
 #include "evaluate/faces/face_table.h"
 #include "evaluate/statistics/frame_check.h"
 #include "evaluate/statistics/shared_planes.h"
+#include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/format.h"
 #include "io/error.h"
 #include "io/files/csv_table.h"
+#include "io/files/text_file.h"
 #include "io/results/finish_judging.h"
 #include "io/results/judge_decoys.h"
-#include "io/results/read_evaluations.h"
 #include "io/results/result_folder_reader.h"
+#include "io/results/write_results.h"
 
 #include <fmt/format.h>
 
@@ -20,6 +22,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -30,8 +33,20 @@ namespace {
 using evaluate::Evaluation;
 using evaluate::Json;
 
-[[noreturn]] void refuse(const std::string& folder, const std::string& problem) {
+[[noreturn]] void refuse_run(const std::string& folder, const std::string& problem) {
   throw io::IoError(folder, problem);
+}
+
+/// Table 2 does not name evaluations without lines, which an area may have: they are not found by
+/// read_evaluations().
+Evaluation read_area_evaluation(const std::string& file) {
+  try {
+    Evaluation evaluation = evaluate::parse_evaluation(io::read_text_file(file));
+    if (!evaluation.area) refuse_run(file, "has no area; judge it again");
+    return evaluation;
+  } catch (const std::invalid_argument& error) {
+    refuse_run(file, error.what());
+  }
 }
 
 AreaRun read_run(const std::string& folder) {
@@ -40,18 +55,17 @@ AreaRun read_run(const std::string& folder) {
   run.run = read_run_json(folder);
   const Json options = run.run.value("options", Json::object());
   if (run.run.value("command", "") != "evaluate" || !options.contains("area")) {
-    refuse(folder, "is not the judgement of an area of the lines");
+    refuse_run(folder, "is not the judgement of an area of the lines");
   }
   if (options.value("apply_shift", false)) {
-    refuse(folder,
-           "its lines were moved by the shift of their own area (apply_shift); judge it without");
+    refuse_run(
+        folder,
+        "its lines were moved by the shift of their own area (apply_shift); judge it without");
   }
   run.bounds = options.at("area").get<std::array<double, 4>>();
-  std::vector<FoundEvaluation> found = read_evaluations(folder, true);
-  std::ranges::stable_sort(found, {}, &FoundEvaluation::rank);
-  for (FoundEvaluation& one : found) {
-    if (!one.evaluation.area) refuse(one.path.string(), "has no area; judge it again");
-    run.evaluations.push_back(std::move(one.evaluation));
+  for (const Json& lines : options.at("lines")) {
+    const std::string name = evaluation_names(stem_of(lines.get<std::string>())).front();
+    run.evaluations.push_back(read_area_evaluation((fs::path(folder) / name).string()));
   }
   return run;
 }
@@ -99,8 +113,8 @@ void require_same(const AreaRun& first,
       const Json in_a = a.value(key, Json());
       const Json in_b = b.value(key, Json());
       if (in_a == in_b) continue;
-      refuse(other.folder, fmt::format("was judged with {} {}: {}, but {} with {}", what,
-                                       key.substr(1), in_b.dump(), first.folder, in_a.dump()));
+      refuse_run(other.folder, fmt::format("was judged with {} {}: {}, but {} with {}", what,
+                                           key.substr(1), in_b.dump(), first.folder, in_a.dump()));
     }
   }
 }
@@ -122,7 +136,7 @@ void refuse_overlaps(const std::vector<AreaRun>& runs) {
       const auto& b = runs[k].bounds;
       const bool overlap = std::max(a[0], b[0]) < std::min(a[2], b[2]) &&
                            std::max(a[1], b[1]) < std::min(a[3], b[3]);
-      if (overlap) refuse(runs[i].folder, "its area overlaps that of " + runs[k].folder);
+      if (overlap) refuse_run(runs[i].folder, "its area overlaps that of " + runs[k].folder);
     }
   }
 }
@@ -138,8 +152,8 @@ std::vector<Json> inputs_of(const std::vector<AreaRun>& runs) {
       const auto [entry, is_new] = known.try_emplace(path, hash, run.folder);
       if (is_new) inputs.push_back(input);
       if (entry->second.first != hash) {
-        refuse(run.folder,
-               fmt::format("was judged with another {} than {}", path, entry->second.second));
+        refuse_run(run.folder,
+                   fmt::format("was judged with another {} than {}", path, entry->second.second));
       }
     }
   }
@@ -162,10 +176,10 @@ std::vector<LinePlace> places_of(const std::vector<AreaRun>& runs, std::size_t m
   const auto twice = std::ranges::adjacent_find(places, {}, &LinePlace::number);
   if (twice == places.end()) return places;
   const auto next = std::next(twice);
-  refuse(runs[next->run].folder,
-         fmt::format("line {} stands there and in {}",
-                     runs[next->run].evaluations[method].lines[next->line].id,
-                     runs[twice->run].folder));
+  refuse_run(runs[next->run].folder,
+             fmt::format("line {} stands there and in {}",
+                         runs[next->run].evaluations[method].lines[next->line].id,
+                         runs[twice->run].folder));
 }
 
 void join_planes_of(std::vector<AreaRun>& runs, std::size_t method) {
@@ -231,6 +245,7 @@ Evaluation pooled_evaluation(std::vector<AreaRun>& runs,
   pooled.options = first.options;
   for (const auto& [number, run, line] : places) {
     pooled.lines.push_back(std::move(runs[run].evaluations[method].lines[line]));
+    for (evaluate::JudgingPlane& plane : pooled.lines.back().planes) plane.sample.clear();
   }
   if (const std::size_t n = first.area->n_lines; n > places.size()) {
     warnings.push_back(fmt::format("{}: {} of {} lines lie in none of the areas", pooled.method,
@@ -240,7 +255,7 @@ Evaluation pooled_evaluation(std::vector<AreaRun>& runs,
   pool_shift(runs, method, pooled);
   const evaluate::FrameCheck check = evaluate::check_frame(pooled.lines, kFrameTolerance_m);
   if (!check.same_frame) {
-    refuse(runs.front().folder, "lines and cloud are not in the same frame: " + check.reason);
+    refuse_run(runs.front().folder, "lines and cloud are not in the same frame: " + check.reason);
   }
   pool_decoys(runs, method, places, pooled);
   check_follows_cloud(pooled, runs.front().folder, {}, warnings);
@@ -387,7 +402,8 @@ PooledRuns pool_runs(const std::vector<std::string>& folders) {
     }
     pooled.models = pooled_models(pooled.runs, pooled.evaluations);
   } catch (const Json::exception& error) {
-    refuse(folders.front(), std::string("run.json of one of the runs is damaged: ") + error.what());
+    refuse_run(folders.front(),
+               std::string("run.json of one of the runs is damaged: ") + error.what());
   }
   return pooled;
 }

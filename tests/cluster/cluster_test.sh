@@ -47,6 +47,47 @@ by_parallel() {
   echo "GNU parallel: the bytes of one host (after $SECONDS s)"
 }
 
+# The scripts of docs/cluster.md for lines that are judged, in a folder with data of their names.
+docs=$(realpath "$(dirname "$0")/../../docs")
+script_of_docs() {
+  awk -v name="# $1" '/^```/ { text = ""; shown = 0; next } { text = text $0 "\n" }
+    $0 == name { shown = 1 } shown { printf "%s", text; text = "" }' "$docs/cluster.md"
+}
+
+areas=$work/areas
+make_areas() (
+  mkdir "$areas"
+  cd "$areas"
+  ridgeline --quiet simulate --out . --seed 3 --extent-m 60,60 --no-images
+  mkdir tiles && mv lidar.las tiles/1.laz && mv truth.geojson town.geojson
+  local name
+  for name in areas.sh submit_areas.sh areas.sbatch parallel_areas.sh; do
+    script_of_docs $name | sed 's/town.gpkg/town.geojson/' > $name
+    [ -s $name ] || fail "docs/cluster.md: no $name"
+  done
+  sh areas.sh
+  printf '513000,5402000,513031.5,5404000\n513031.5,5402000,514000,5404000\n' > areas.txt
+  ridgeline --quiet evaluate --lines town.geojson --cloud 'tiles/*.laz' --out whole --no-report
+)
+
+compare_with_one_run() {
+  local rms
+  for folder in whole town; do
+    rms="$rms $(cut -d, -f3,4,5,6 $folder/table2.csv | md5sum)"
+  done
+  [ "$(echo "$rms" | tr ' ' '\n' | sort -u | grep -c '[0-9a-f]')" -eq 1 ] || fail "$1: not the figures of one run"
+  echo "$1: areas have the figures of one run (after $SECONDS s)"
+  rm -r runs town
+}
+
+areas_by_parallel() {
+  (cd "$areas" && HOME=$work sh parallel_areas.sh && compare_with_one_run "GNU parallel")
+}
+
+areas_by_slurm() {
+  (cd "$areas" && sh submit_areas.sh --partition=main && wait_until queue_is_empty && compare_with_one_run Slurm)
+}
+
 start_slurm() {
   cluster=$work/daemons
   export SLURM_CONF=$cluster/slurm.conf
@@ -121,8 +162,10 @@ PATH=$PATH:/usr/sbin  # where daemons are
 without_slurm=$(missing_of munged slurmctld slurmd sbatch)
 without_parallel=$(missing_of parallel)
 [ -z "$without_slurm" ] || [ -z "$without_parallel" ] || skip "not installed: $without_slurm$without_parallel"
+PATH=$(dirname "$(realpath "$program")"):$PATH
+make_areas
 make_block
 block_in "one host"
-[ -n "$without_parallel" ] || by_parallel
-[ -n "$without_slurm" ] || by_slurm
+[ -n "$without_parallel" ] || { areas_by_parallel; by_parallel; }
+[ -n "$without_slurm" ] || { by_slurm; areas_by_slurm; }
 [ -z "$without_slurm$without_parallel" ] || skip "not installed: $without_slurm$without_parallel"
