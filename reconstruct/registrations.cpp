@@ -24,10 +24,11 @@ std::vector<std::vector<ComparedProfiles>> profiles_of(const Scene& scene,
   std::map<std::pair<std::size_t, std::size_t>, std::vector<Place>> places;  // by pair of views
   std::vector<std::vector<ComparedProfiles>> profiles;
   for (std::size_t t = 0; t < tracks.size(); ++t) {
-    const std::vector<Observation>& seen = tracks[t].observations;
-    profiles.emplace_back(seen.size());
-    for (std::size_t s = 1; s < seen.size(); ++s) {
-      if (seen[s].view != seen[0].view) places[{seen[0].view, seen[s].view}].push_back({t, s});
+    const std::size_t base = tracks[t].base().view;
+    const std::vector<Observation>& observations = tracks[t].observations;
+    profiles.emplace_back(observations.size());
+    for (std::size_t s = 1; s < observations.size(); ++s) {
+      if (observations[s].view != base) places[{base, observations[s].view}].push_back({t, s});
     }
   }
   for (const auto& [views, of_pair] : places) {

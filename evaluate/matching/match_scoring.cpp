@@ -14,12 +14,12 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// Whether a segment continues, in the image `own`, an edge that its mate lies on.
-bool mate_edge_continues(const Segment2& segment,
-                         const std::vector<Beside>& of_mate,
-                         std::span<const ReferenceEdge> edges,
-                         Segment2 ReferenceEdge::*own) {
-  return std::any_of(of_mate.begin(), of_mate.end(), [&](const Beside& beside) {
+/// Whether a segment continues, in the image `own`, an edge that the other segment lies on.
+bool continues_edge_of_other(const Segment2& segment,
+                             const std::vector<Beside>& of_other,
+                             std::span<const ReferenceEdge> edges,
+                             Segment2 ReferenceEdge::*own) {
+  return std::any_of(of_other.begin(), of_other.end(), [&](const Beside& beside) {
     return continues(segment, edges[beside.edge].*own);
   });
 }
@@ -77,8 +77,8 @@ std::vector<std::vector<OnEdge>> segments_of_edges(const std::vector<std::vector
 /// For each right segment, the stretches of edges that its matched left segments lie on.
 using Taken = std::map<int, std::vector<Beside>>;
 
-Taken taken_mates(std::span<const Correspondence> matches,
-                  const std::vector<std::vector<Beside>>& on_left) {
+Taken taken_segments(std::span<const Correspondence> matches,
+                     const std::vector<std::vector<Beside>>& on_left) {
   Taken taken;
   for (const Correspondence& match : matches) {
     for (const Beside& beside : on_left[match.base]) taken[match.other].push_back(beside);
@@ -121,8 +121,8 @@ MatchVerdict verdict_of(const Correspondence& match,
   const auto& a = on_edges.left[match.base];
   const auto& b = on_edges.right[match.other];
   const bool continued =
-      (a.empty() && mate_edge_continues(left[match.base], b, edges, &ReferenceEdge::base)) ||
-      (b.empty() && mate_edge_continues(right[match.other], a, edges, &ReferenceEdge::other));
+      (a.empty() && continues_edge_of_other(left[match.base], b, edges, &ReferenceEdge::base)) ||
+      (b.empty() && continues_edge_of_other(right[match.other], a, edges, &ReferenceEdge::other));
   if (continued || (!any_certain(a) && !any_certain(b))) {
     return MatchVerdict::kUnjudged;
   }
@@ -136,18 +136,18 @@ void add(MatchVerdict verdict, MatchingScore& score) {
   if (verdict == MatchVerdict::kFalse) ++score.counts.n_false;
 }
 
-/// Left segments without a match that have a free mate on their edge, with that mate.
+/// Left segments without a match with a free segment on their edge, with that segment.
 std::vector<Correspondence> missed_matches(std::span<const Correspondence> matches,
                                            const OnEdges& on_edges,
                                            std::size_t n_edges) {
-  const Taken taken = taken_mates(matches, on_edges.left);
+  const Taken taken = taken_segments(matches, on_edges.left);
   const auto of_edge = segments_of_edges(on_edges.right, n_edges);
-  const auto free_mate = [&](const Beside& a) -> std::optional<int> {
+  const auto free_segment = [&](const Beside& a) -> std::optional<int> {
     if (!is_certain(a)) return std::nullopt;
-    for (const OnEdge& mate : of_edge[a.edge]) {
-      if (is_certain(mate.beside) && overlap_along(a, mate.beside) &&
-          is_free(taken, mate.segment, a)) {
-        return mate.segment;
+    for (const OnEdge& other : of_edge[a.edge]) {
+      if (is_certain(other.beside) && overlap_along(a, other.beside) &&
+          is_free(taken, other.segment, a)) {
+        return other.segment;
       }
     }
     return std::nullopt;
@@ -158,9 +158,9 @@ std::vector<Correspondence> missed_matches(std::span<const Correspondence> match
   for (std::size_t i = 0; i < on_edges.left.size(); ++i) {
     if (is_matched[i] != 0) continue;
     for (const Beside& beside : on_edges.left[i]) {
-      const std::optional<int> mate = free_mate(beside);
-      if (!mate) continue;
-      missed.push_back({static_cast<int>(i), *mate});
+      const std::optional<int> other = free_segment(beside);
+      if (!other) continue;
+      missed.push_back({static_cast<int>(i), *other});
       break;
     }
   }

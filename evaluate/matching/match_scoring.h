@@ -20,7 +20,8 @@ struct MatchingScore {
   MatchCounts counts;
   std::size_t n_unjudged = 0;          ///< matches that the reference cannot judge
   std::vector<MatchVerdict> verdicts;  ///< of each match
-  std::vector<Correspondence> missed;  ///< each with a right segment that would be its mate
+  /// Each with a segment of the other image that shows its edge.
+  std::vector<Correspondence> missed;
 };
 
 /// Judges matches by true edges. A segment lies on an edge if the two run side by side over

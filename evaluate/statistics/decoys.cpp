@@ -63,15 +63,14 @@ std::optional<JudgedLine> matched_falsely(const JudgedLine& line, double up_m) {
   constexpr double kMaxShiftPerHeight = 10.0;
   if (!line.images) return std::nullopt;
   JudgedLine decoy = line;
-  std::vector<ImageObservation>& seen = decoy.images->observations;
-  const ProjectionMatrix& base = seen.front().image_from_local;
+  const ProjectionMatrix& base = decoy.images->base().image_from_local;
   decoy.segment = {along_ray(base, line.segment.start, up_m),
                    along_ray(base, line.segment.end, up_m)};
   const double farthest_m = std::max((decoy.segment.start - line.segment.start).norm(),
                                      (decoy.segment.end - line.segment.end).norm());
   const bool is_near = farthest_m <= kMaxShiftPerHeight * std::abs(up_m);  // false for NaN
   if (!is_near || !all_in_range(decoy.segment, line.images->height_range_m)) return std::nullopt;
-  for (ImageObservation& other : std::span(seen).subspan(1)) {
+  for (ImageObservation& other : std::span(decoy.images->observations).subspan(1)) {
     other.px = false_match(other, line.segment, decoy.segment);
     if (!other.px.start.allFinite() || !other.px.end.allFinite()) return std::nullopt;
   }

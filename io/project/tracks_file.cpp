@@ -56,8 +56,8 @@ std::vector<Track> read_tracks(const std::string& path, std::span<const std::str
          table.index(row, segment)});
   }
   for (std::size_t t = 0; t < tracks.size(); ++t) {
-    const std::vector<Observation>& seen = tracks[t].observations;
-    if (seen.size() >= 2 && seen[0].view != seen[1].view) continue;
+    const bool has_two = tracks[t].observations.size() >= 2;
+    if (has_two && tracks[t].base().view != tracks[t].other().view) continue;
     throw IoError(path, fmt::format("track {} must begin with segments of two images", t));
   }
   return tracks;

@@ -19,7 +19,7 @@ SearchedViews::SearchedViews(const Scene& scene, std::span<const MatchedPair> pa
     view.index = BoxIndex2(ideal_segments(scene.views[v]));
     for (std::size_t w = 0; w < views_.size(); ++w) {
       view.to.emplace_back(scene.views[v].image_from_local, scene.views[w].image_from_local);
-      view.mate.emplace_back(view.lines.size(), -1);
+      view.matched.emplace_back(view.lines.size(), -1);
       if (w != v) view.others.push_back(w);
     }
     std::ranges::sort(view.others, {}, [&](std::size_t w) {
@@ -28,8 +28,10 @@ SearchedViews::SearchedViews(const Scene& scene, std::span<const MatchedPair> pa
   }
   for (const auto& [of_pair, matches] : pairs) {
     for (const Correspondence& match : matches) {
-      views_[of_pair.base].mate[of_pair.search][static_cast<std::size_t>(match.base)] = match.other;
-      views_[of_pair.search].mate[of_pair.base][static_cast<std::size_t>(match.other)] = match.base;
+      views_[of_pair.base].matched[of_pair.search][static_cast<std::size_t>(match.base)] =
+          match.other;
+      views_[of_pair.search].matched[of_pair.base][static_cast<std::size_t>(match.other)] =
+          match.base;
     }
   }
 }
@@ -54,10 +56,10 @@ Segment3 SearchedViews::object_segment(const Observation& s,
 }
 
 SearchedViews::Look SearchedViews::look(const Observation& a, const Observation& b) const {
-  const int mate_of_a = views_[a.view].mate[b.view][static_cast<std::size_t>(a.segment)];
-  const int mate_of_b = views_[b.view].mate[a.view][static_cast<std::size_t>(b.segment)];
-  if (mate_of_a == b.segment || mate_of_b == a.segment) return Look::kMatched;
-  return mate_of_a >= 0 || mate_of_b >= 0 ? Look::kMatchedElsewhere : Look::kUnknown;
+  const int matched_with_a = views_[a.view].matched[b.view][static_cast<std::size_t>(a.segment)];
+  const int matched_with_b = views_[b.view].matched[a.view][static_cast<std::size_t>(b.segment)];
+  if (matched_with_a == b.segment || matched_with_b == a.segment) return Look::kMatched;
+  return matched_with_a >= 0 || matched_with_b >= 0 ? Look::kMatchedElsewhere : Look::kUnknown;
 }
 
 }  // namespace ridgeline::reconstruct

@@ -51,8 +51,8 @@ class SearchedViews {
     std::vector<UncertainSegment2> lines;
     BoxIndex2 index;
     std::vector<std::size_t> others;
-    std::vector<EpipolarTransfer> to;    ///< by view
-    std::vector<std::vector<int>> mate;  ///< by view and segment; -1: none
+    std::vector<EpipolarTransfer> to;       ///< by view
+    std::vector<std::vector<int>> matched;  ///< by view and segment; -1: none
   };
 
   const Scene& scene_;

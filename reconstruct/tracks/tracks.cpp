@@ -95,22 +95,22 @@ void add_tracks_by_look(const Scene& scene,
   for (const auto& [views, matches] : pairs) {
     for (const Correspondence& match : matches) {
       const Observation base{views.base, match.base};
-      const Observation mate{views.search, match.other};
+      const Observation other{views.search, match.other};
       const bool base_is_free = taken.is_free(base);
-      const bool mate_is_free = taken.is_free(mate);
-      if (!base_is_free && !mate_is_free) continue;
-      const bool is_aligned = is_near_aligned(scene, base, mate, kMaxAlignedAngle_deg);
+      const bool other_is_free = taken.is_free(other);
+      if (!base_is_free && !other_is_free) continue;
+      const bool is_aligned = is_near_aligned(scene, base, other, kMaxAlignedAngle_deg);
       std::size_t track = tracks.size();
-      if (base_is_free && mate_is_free) {
-        tracks.push_back(Track{{base, mate}});
+      if (base_is_free && other_is_free) {
+        tracks.push_back(Track{{base, other}});
       } else {
-        const auto known = aligned.find(base_is_free ? mate : base);
+        const auto known = aligned.find(base_is_free ? other : base);
         if (!is_aligned || known == aligned.end()) continue;
         track = known->second;
-        tracks[track].observations.push_back(base_is_free ? base : mate);
+        tracks[track].observations.push_back(base_is_free ? base : other);
       }
-      taken.take(Track{{base, mate}});
-      if (is_aligned) aligned[base] = aligned[mate] = track;
+      taken.take(Track{{base, other}});
+      if (is_aligned) aligned[base] = aligned[other] = track;
     }
   }
 }

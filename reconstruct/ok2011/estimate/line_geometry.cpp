@@ -143,9 +143,9 @@ bool assign_geometry(const ConditionedViews& frames,
                      ReconstructedLine& result) {
   const auto views =
       transformed(track.observations, [&](const ObservedLine& s) { return frames.of(s); });
-  const auto base = endpoints(estimate, views[0], track.base(), views);
+  const auto base = endpoints(estimate, frames.of(track.base()), track.base(), views);
   if (!base) return false;
-  const auto other = endpoints(estimate, views[1], track.other(), views);
+  const auto other = endpoints(estimate, frames.of(track.other()), track.other(), views);
   const ObjectConditioning& object = frames.object;
   const bool is_pair = track.observations.size() == 2;
   result.between_other_ends = is_pair && other && result.line_class == LineClass::kNotAligned &&
