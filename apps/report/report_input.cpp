@@ -30,8 +30,6 @@ namespace ridgeline::apps {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kMatchStage = "match";
-
 std::vector<LineMatch> line_matches(const std::vector<FoundMatch>& rows) {
   return transformed(rows, [&](const FoundMatch& row) { return row.scored.match; });
 }
