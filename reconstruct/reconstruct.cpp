@@ -267,13 +267,13 @@ Reconstruction reconstruct(Scene scene, const Options& options, std::span<const 
   extract(result.scene.views, options.extraction);
   const std::vector<ViewPair> used =
       pairs.empty() ? pairs_of(result.scene, options) : std::vector(pairs.begin(), pairs.end());
-  for (const ViewPair& views : used) result.pairs.push_back(match(result.scene, views, options));
+  Matched matched = match_all(result.scene, used, options);
+  result.pairs = std::move(matched.pairs);
+  result.tracks = std::move(matched.tracks);
   check(options.estimation.lines.method != Method::kPlanes ||
             std::ranges::any_of(result.pairs, [](const auto& p) { return p.surface.has_value(); }),
         "method planes: there is no surface to find planes in; the images cannot be rectified to "
         "each other, or every option that needs it is off");
-  add_guided(result.scene, result.pairs);
-  result.tracks = tracks_of(result.scene, result.pairs, options);
   result.lines = estimate(result.scene, result.tracks, used_pairs(result.pairs), options);
   for (PairMatches& pair : result.pairs) pair.surface.reset();
   return result;
@@ -361,6 +361,14 @@ std::vector<Track> tracks_of(const Scene& scene,
   });
   return tracks_of(at_scale_of_edges(scene), matched, options.matching.candidates,
                    options.matching.tracks);
+}
+
+Matched match_all(Scene& scene, std::span<const ViewPair> pairs, const Options& options) {
+  Matched matched;
+  for (const ViewPair& views : pairs) matched.pairs.push_back(match(scene, views, options));
+  add_guided(scene, matched.pairs);
+  matched.tracks = tracks_of(scene, matched.pairs, options);
+  return matched;
 }
 
 std::vector<UsedPair> used_pairs(std::span<const PairMatches> pairs) {

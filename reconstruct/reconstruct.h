@@ -82,7 +82,7 @@ struct Reconstruction {
 /// all views, lines of the tracks with covariance and status (Ok et al. 2011, sections 2 and 3, and
 /// Chio and Wang 2000). What goes beyond the papers is done as the options say; the method is
 /// Method::kJoint unless they name another one. Programs that keep files in between call extract(),
-/// match(), tracks_of() and estimate() in this order.
+/// match_all() and estimate() in this order.
 /// @param scene  its views have images and no segments
 /// @param pairs  default: pairs_of()
 /// The result is the same for any number of threads. Throws std::invalid_argument for fewer than
@@ -121,6 +121,15 @@ void add_guided(Scene& scene, std::span<PairMatches> pairs);
 std::vector<Track> tracks_of(const Scene& scene,
                              std::span<const PairMatches> pairs,
                              const Options& options = {});
+
+/// The matches of several pairs, and the tracks of all views that they give.
+struct Matched {
+  std::vector<PairMatches> pairs;
+  std::vector<Track> tracks;
+};
+
+/// match() of each pair, add_guided() and tracks_of().
+Matched match_all(Scene& scene, std::span<const ViewPair> pairs, const Options& options = {});
 
 /// A pair whose matches the tracks are made of.
 struct UsedPair {

@@ -106,8 +106,8 @@ int run_match(MatchArguments a) {
   warn_of(check_pairs(file, scene, {&kPairOfPatch, 1}, a.max_y_parallax_px));
   reconstruct::extract(scene.views, a.options.extraction);
   warn_of(unused_segments(file, scene));
-  reconstruct::PairMatches result = reconstruct::match(scene, kPairOfPatch, a.options);
-  add_guided(scene, {&result, 1});
+  const reconstruct::Matched matched = reconstruct::match_all(scene, {&kPairOfPatch, 1}, a.options);
+  const reconstruct::PairMatches& result = matched.pairs.front();
   const std::vector<reconstruct::View>& views = scene.views;
   const std::vector<std::string> files = segment_files(a, file);
   for (std::size_t i = 0; i < files.size(); ++i) io::write_segments(files[i], views[i].segments);

@@ -50,6 +50,9 @@ std::vector<std::string> unused_segments(const io::PatchFile& patch,
 std::string edges_file(const io::PatchImage& image);
 std::string segments_file(const io::PatchImage& image);
 
+/// The stage that writes the matches.
+inline constexpr const char* kMatchStage = "match";
+
 /// The file in a patch's folder that holds the points of the surface, and the stage that writes it.
 inline constexpr const char* kSurfaceFile = "surface.las";
 inline constexpr const char* kSurfaceStage = "surface";

@@ -26,7 +26,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace ridgeline::apps {
@@ -62,31 +61,19 @@ void find_segments(const io::PatchFile& patch,
   }
 }
 
-/// The tracks of a patch and the surfaces of its pairs.
-struct Tracked {
-  std::vector<ViewPair> pairs;
-  std::vector<std::optional<reconstruct::Surface>> surfaces;  ///< by pair
-  std::vector<Track> tracks;
-};
-
-/// The tracks of the matches of the file, which are those of the first two images, or those made
-/// now of all images. Segments that are found then are added to the scene.
-Tracked tracked(reconstruct::Scene& scene, const ReconstructArguments& a) {
-  if (!a.matches.empty()) {
-    const std::vector<Correspondence> matches =
-        read_correspondences(a.matches, {scene.views[0].segments, scene.views[1].segments});
-    return {{kPairOfPatch},
-            {reconstruct::surface_of(stereo_pair(scene, kPairOfPatch), a.options)},
-            tracks_of_pair(kPairOfPatch, matches)};
-  }
-  Tracked result{pairs_of(scene, a.options), {}, {}};
-  auto matches = transformed(result.pairs, [&](const ViewPair& pair) {
-    return reconstruct::match(scene, pair, a.options);
-  });
-  add_guided(scene, matches);
-  result.tracks = tracks_of(scene, matches, a.options);
-  for (reconstruct::PairMatches& pair : matches) result.surfaces.push_back(std::move(pair.surface));
-  return result;
+/// The matches of the file, which are those of the first two images, or those made now of all
+/// images. Segments that are found then are added to the scene.
+reconstruct::Matched find_matches(reconstruct::Scene& scene, const ReconstructArguments& a) {
+  if (a.matches.empty())
+    return reconstruct::match_all(scene, pairs_of(scene, a.options), a.options);
+  reconstruct::Matched of_file;
+  of_file.tracks = tracks_of_pair(
+      kPairOfPatch,
+      read_correspondences(a.matches, {scene.views[0].segments, scene.views[1].segments}));
+  of_file.pairs.resize(1);
+  of_file.pairs[0].views = kPairOfPatch;
+  of_file.pairs[0].surface = reconstruct::surface_of(stereo_pair(scene, kPairOfPatch), a.options);
+  return of_file;
 }
 
 /// Writes all points of the surface. Throws IoError for a pair without a surface.
@@ -107,9 +94,9 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
   warn_of(check_matched_pairs(patch, scene, a.options, a.max_y_parallax_px));
   find_segments(patch, a, scene);
   if (a.matches.empty()) warn_of(unused_segments(patch, scene));
-  const Tracked found = tracked(scene, a);
+  const reconstruct::Matched found = find_matches(scene, a);
   if (a.options.estimation.lines.method == reconstruct::Method::kPlanes &&
-      std::ranges::none_of(found.surfaces, [](const auto& s) { return s.has_value(); })) {
+      std::ranges::none_of(found.pairs, [](const auto& p) { return p.surface.has_value(); })) {
     throw io::IoError(
         patch.path,
         "--method planes: there is no surface to find planes in; the images cannot be "
@@ -117,12 +104,11 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
   }
   if (!a.surface.empty()) {
     write_whole_surface(a.surface, patch, frame,
-                        found.surfaces[0]
-                            ? found.surfaces[0]
+                        found.pairs[0].surface
+                            ? found.pairs[0].surface
                             : reconstruct::surface_of(stereo_pair(scene, kPairOfPatch)));
   }
-  return reconstruct::estimate(scene, found.tracks, used_pairs(found.pairs, found.surfaces),
-                               a.options);
+  return reconstruct::estimate(scene, found.tracks, used_pairs(found.pairs), a.options);
 }
 
 /// The format of --format, else of the name's ending; GeoJSON if neither says it. Throws

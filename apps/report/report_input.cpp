@@ -30,7 +30,6 @@ namespace ridgeline::apps {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kMatchStage = "match";
 
 std::array<std::vector<EdgeSegment>, 2> segments_of(const ReportImages& images,
                                                     const ViewPair& views) {

@@ -23,6 +23,9 @@
 
 namespace ridgeline::apps {
 
+/// The last stage of a run.
+inline constexpr const char* kLastStage = "evaluate";
+
 struct RunOptions {
   std::vector<reconstruct::Method> methods{reconstruct::Method::kLines};
   Parameters parameters;
@@ -37,7 +40,8 @@ struct RunOptions {
   ShiftArguments shift;
   std::optional<std::size_t> n_decoys;  ///< see results::JudgeFilesOptions
   bool resume = false;
-  bool report = true;  ///< report.html and the figures
+  std::string until = kLastStage;  ///< the last stage: extract, match, reconstruct or evaluate
+  bool report = true;              ///< report.html and the figures
   PageFacts page;
 };
 
@@ -56,15 +60,19 @@ struct PatchResult {
 /// The number of steps that run_patch() announces to the progress bar.
 std::size_t count_steps(const RunOptions& options);
 
-/// Checks what can be checked before the work begins. Throws IoError for outputs that are inputs,
-/// and for a cloud that cannot be read, has another CRS than the patch or fails check_scale().
+/// Checks what can be checked before the work begins. `record` has the inputs. Throws IoError for
+/// outputs that are inputs, and for a cloud that cannot be read, has another CRS than the patch or
+/// fails check_scale().
 void check_run(const CheckedPatch& patch,
                const RunOptions& options,
-               const results::OutputFolder& out);
+               const results::OutputFolder& out,
+               results::RunRecord& record);
 
 /// Images -> segments -> matches -> 3D lines by each method -> judged lines (Ok et al. 2011), and
-/// the files of one patch in the folder of its id. A patch without LIDAR gets its lines; their
-/// status is `no_lidar`. Throws IoError for a file's fault.
+/// the files of one patch in the folder of its id. A stage that an earlier run has finished is
+/// skipped (RunOptions::resume). After RunOptions::until no stage runs; files that an earlier run
+/// made in later stages are removed if they no longer follow from the inputs. A patch without LIDAR
+/// gets its lines; their status is `no_lidar`. Throws IoError for a file's fault.
 PatchResult run_patch(const CheckedPatch& patch,
                       const RunOptions& options,
                       const results::OutputFolder& out,

@@ -19,7 +19,8 @@
 #include "reconstruct/beyond/soft_edges/edge_facts.h"
 #include "reconstruct/geometry/transformed.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 #include <tbb/parallel_for.h>
 
@@ -73,21 +74,66 @@ nlohmann::ordered_json to_json(const reconstruct::EdgeFacts& facts) {
 
 PatchStages::PatchStages(const CheckedPatch& patch,
                          const RunOptions& options,
-                         const results::OutputFolder& out)
+                         const results::OutputFolder& out,
+                         results::RunRecord& record)
     : patch_(patch.file),
       options_(options),
       out_(out),
+      record_(record),
+      parameters_(echo(options.parameters)),
       scene_(patch_scene(patch.file, patch.frame)) {}
 
-void PatchStages::check_outputs() const {
-  const auto check_files = [this](const std::vector<std::string>& files) {
-    for (const std::string& file : files) (void)path(file);
-  };
-  check_files(edge_files());
-  check_files(match_files());
-  check_files({"verdicts.csv", kTrackList, kSurfaceFile, kStagesFile});
-  for (const std::string& name : list_names()) check_files({list_file("verdicts", name)});
-  for (const reconstruct::Method method : options_.methods) check_files(line_files(method));
+/// Any of the options of `match`, `chio` and `reconstruct` may ask for the surface.
+std::vector<Stage> PatchStages::table() {
+  const auto options_of = [&](const char* group) { return parameters_[group].dump(); };
+  const std::string views = views_key();
+  const std::string extraction = extraction_key();
+  std::vector<std::string> matching{views, options_of("match"), options_of("tracks"),
+                                    options_of("chio"), extraction};
+  for (const auto matcher : options_.parameters.method.matching.matchers)
+    matching.emplace_back(name(matcher));
+  const std::string matches = key_of(matching);
+  std::vector<Stage> stages{
+      {"check pairs",
+       key_of({views, options_of("tracks"), fmt::format("{}", options_.max_y_parallax_px)}),
+       {},
+       [this](auto&) { check_pairs(); }},
+      {"extract", extraction, edge_files(), [this](auto&) { extract(); }},
+      {kMatchStage, matches, match_files(), [this](auto& files) { match(files); }},
+      {kSurfaceStage,
+       key_of({matches, options_of("reconstruct"), patch_.crs.definition}),
+       {kSurfaceFile},
+       [this](auto&) { keep_surface(); }}};
+  for (const reconstruct::Method method : options_.methods) {
+    const std::vector<std::string> files = line_files(method);
+    std::vector<std::string> parts{matches, reconstruct::name(method), options_of("reconstruct"),
+                                   patch_.crs.definition};
+    parts.insert(parts.end(), files.begin(), files.end());
+    if (options_.local_origin) parts.emplace_back("local origin");
+    stages.push_back({fmt::format("reconstruct {}", reconstruct::name(method)), key_of(parts),
+                      files, [this, method](auto&) { reconstruct(method); }});
+  }
+  return stages;
+}
+
+/// The key of the images, their cameras and their range of heights.
+std::string PatchStages::views_key() const {
+  std::vector<std::string> parts{fmt::format("{}", fmt::join(patch_.height_range_m, " "))};
+  for (const io::PatchImage& image : patch_.images)
+    parts.push_back(key_of_view(image, record_.hash_of(image.path)));
+  return key_of(parts);
+}
+
+/// Of all images at once, as they are searched at a common size.
+std::string PatchStages::extraction_key() const {
+  std::vector<std::string> parts{parameters_["extract"].dump()};
+  for (const io::PatchImage& image : patch_.images) {
+    parts.push_back(key_of_picture(image, record_.hash_of(image.path)));
+    if (image.segments)
+      parts.push_back(
+          fmt::format("{} {}", record_.hash_of(*image.segments), patch_.segment_sigma_px));
+  }
+  return key_of(parts);
 }
 
 std::vector<std::string> PatchStages::edge_files() const {
@@ -109,7 +155,7 @@ std::vector<std::string> PatchStages::list_names() const {
 
 std::vector<std::string> PatchStages::match_files() const {
   std::vector<std::string> files = segment_files();
-  files.insert(files.end(), {kMatchList, kUnmatchedList});
+  files.insert(files.end(), {kMatchList, kUnmatchedList, kTrackList});
   const std::vector<reconstruct::Matcher>& matchers = options_.parameters.method.matching.matchers;
   for (const reconstruct::Matcher matcher : matchers) {
     if (matcher == reconstruct::Matcher::kChio) files.emplace_back("chio.csv");
@@ -117,6 +163,8 @@ std::vector<std::string> PatchStages::match_files() const {
     files.push_back(list_file("matches", name(matcher)));
     files.push_back(list_file("unmatched", name(matcher)));
   }
+  for (const std::string& name : list_names()) files.push_back(list_file("verdicts", name));
+  files.emplace_back("verdicts.csv");
   return files;
 }
 
@@ -183,32 +231,30 @@ std::string PatchStages::pair_folder(const ViewPair& pair) const {
   return fmt::format("pairs/{}-{}/", patch_.images[pair.base].id, patch_.images[pair.search].id);
 }
 
-std::vector<std::string> PatchStages::check_pairs() {
+void PatchStages::check_pairs() {
   read_images();
-  return check_matched_pairs(patch_, scene_, options_.parameters.method,
-                             options_.max_y_parallax_px);
+  record_.add_warnings(
+      check_matched_pairs(patch_, scene_, options_.parameters.method, options_.max_y_parallax_px));
 }
 
-std::vector<std::string> PatchStages::extract() {
+void PatchStages::extract() {
   read_images();
   reconstruct::extract(scene_.views, options_.parameters.method.extraction);
   const std::vector<std::string> files = edge_files();
   for (std::size_t i = 0; i < files.size(); ++i)
     io::write_segments(path(files[i]), scene_.views[i].segments);
-  return unused_segments(patch_, scene_);
+  record_.add_warnings(unused_segments(patch_, scene_));
 }
 
-std::vector<std::string> PatchStages::keep_surface() {
+/// Writes points of the base pair's surface. If there is no surface, the file of an earlier run is
+/// removed.
+void PatchStages::keep_surface() {
   read_views(segment_files());
   const std::optional<reconstruct::Surface>& kept = surfaces().front();
-  if (!kept) {
-    out_.remove(patch_.id + "/" + kSurfaceFile);
-    return {};
-  }
+  if (!kept) return out_.remove(patch_.id + "/" + kSurfaceFile);
   const std::vector<Eigen::Vector3d> points = points_in_local(*kept, kMaxSurfacePoints);
   io::write_las(path(kSurfaceFile), transformed(points, io::single_return), scene_.frame,
                 patch_.crs);
-  return {kSurfaceFile};
 }
 
 /// Removes the lists of an earlier run with other matchers, which would look like lists of this
@@ -224,31 +270,27 @@ void PatchStages::remove_match_lists() const {
   for (const std::string& file : files) out_.remove(patch_.id + "/" + file);
 }
 
-std::vector<std::string> PatchStages::match() {
+void PatchStages::match(std::vector<std::string>& files) {
   remove_match_lists();
   read_views(edge_files());
-  auto results = transformed(pairs(), [&](const ViewPair& pair) {
-    return reconstruct::match(scene_, pair, options_.parameters.method);
-  });
-  add_guided(scene_, results);
+  reconstruct::Matched matched =
+      reconstruct::match_all(scene_, pairs(), options_.parameters.method);
   const std::vector<std::string> segment_names = segment_files();
   for (std::size_t i = 0; i < segment_names.size(); ++i)
     io::write_segments(path(segment_names[i]), scene_.views[i].segments);
-  std::vector<std::string> files = match_files();
-  for (const reconstruct::PairMatches& result : results) {
+  for (const reconstruct::PairMatches& result : matched.pairs) {
     const std::string folder = pair_folder(result.views);
     write_list(result.used(), folder + kMatchList, folder + kUnmatchedList);
     if (!folder.empty()) files.insert(files.end(), {folder + kMatchList, folder + kUnmatchedList});
   }
-  write_lists_of_matchers(results.front());
+  write_lists_of_matchers(matched.pairs.front());
   if (scene_.views.size() > 2) {
-    io::write_tracks(path(kTrackList), tracks_of(scene_, results, options_.parameters.method),
+    io::write_tracks(path(kTrackList), matched.tracks,
                      transformed(patch_.images, &io::PatchImage::id));
-    files.emplace_back(kTrackList);
   }
   surfaces_.clear();
-  for (reconstruct::PairMatches& result : results) surfaces_.push_back(std::move(result.surface));
-  return files;
+  for (reconstruct::PairMatches& result : matched.pairs)
+    surfaces_.push_back(std::move(result.surface));
 }
 
 void PatchStages::write_list(const reconstruct::MatchList& list,
@@ -327,6 +369,7 @@ std::vector<evaluate::Table1Row> PatchStages::score_matches() const {
 }
 
 std::optional<evaluate::PatchTracks> PatchStages::score_tracks() const {
+  if (!patch_.reference_tracks) return std::nullopt;
   const reconstruct::Options& options = options_.parameters.method;
   const std::vector<std::vector<EdgeSegment>> segments = transformed(
       segment_files(), [&](const std::string& file) { return io::read_segments(path(file)); });

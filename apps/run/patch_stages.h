@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
-#include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,35 +19,31 @@
 
 namespace ridgeline::apps {
 
-/// The stages of a reconstruction with their files. Every stage reads what it needs from the files
-/// of the stages before it, also where these ran in this object, and writes files of its own.
+/// A stage of a run. It reads what it needs from the inputs and from the files of the stages before
+/// it, also where these ran in the same process, so that a resumed run gives the same bytes.
+struct Stage {
+  std::string name;
+  std::string key;                 ///< key_of() everything that its result depends on
+  std::vector<std::string> files;  ///< that it may write, in the patch's folder
+  /// Does it, and adds what it writes beside `files` to them.
+  std::function<void(std::vector<std::string>& files)> work;
+};
+
+/// The stages from the images to the lines: "check pairs", "extract", "match", "surface" and one
+/// "reconstruct METHOD" per method, with their files.
 class PatchStages {
  public:
-  /// The files are in the subfolder of `out` that is named after the patch's id.
+  /// The files are in the subfolder of `out` that is named after the patch's id. `record` has the
+  /// inputs with their hashes, and gets the warnings.
   PatchStages(const CheckedPatch& patch,
               const RunOptions& options,
-              const results::OutputFolder& out);
+              const results::OutputFolder& out,
+              results::RunRecord& record);
 
-  /// Throws IoError if one of the files that the stages write is an input.
-  void check_outputs() const;
-
-  /// The files of segments that extract() writes, one per image.
-  [[nodiscard]] std::vector<std::string> edge_files() const;
+  /// The stages in their order. The object must outlive them.
+  [[nodiscard]] std::vector<Stage> table();
   static std::string line_file(reconstruct::Method method, std::string_view extension = ".geojson");
-  [[nodiscard]] std::vector<std::string> line_files(reconstruct::Method method) const;
 
-  /// The warnings of check_matched_pairs(), which throws IoError unless the images fit their
-  /// cameras.
-  [[nodiscard]] std::vector<std::string> check_pairs();
-  /// @return the warnings of unused_segments()
-  [[nodiscard]] std::vector<std::string> extract();
-  /// @return the files written
-  [[nodiscard]] std::vector<std::string> match();
-  /// Writes points of the pair's surface. If there is no surface, the file of an earlier run is
-  /// removed.
-  /// @return the files written: none for a pair without a surface
-  [[nodiscard]] std::vector<std::string> keep_surface();
-  void reconstruct(reconstruct::Method method);
   [[nodiscard]] PatchCounts counts() const;
   /// By image: how wide its edges are, by the scale that they were found at, and its noise.
   [[nodiscard]] nlohmann::ordered_json edge_facts();
@@ -59,9 +55,20 @@ class PatchStages {
   [[nodiscard]] std::optional<evaluate::PatchTracks> score_tracks() const;
 
  private:
+  [[nodiscard]] std::string views_key() const;
+  [[nodiscard]] std::string extraction_key() const;
+
+  void check_pairs();
+  void extract();
+  void match(std::vector<std::string>& files);
+  void keep_surface();
+  void reconstruct(reconstruct::Method method);
+
+  [[nodiscard]] std::vector<std::string> edge_files() const;
   [[nodiscard]] std::vector<std::string> segment_files() const;
-  /// The files of the base pair that match() writes, and the segments of all images.
+  /// The files of match() and score_matches() but those of further pairs.
   [[nodiscard]] std::vector<std::string> match_files() const;
+  [[nodiscard]] std::vector<std::string> line_files(reconstruct::Method method) const;
   [[nodiscard]] std::vector<std::string> list_names() const;
   [[nodiscard]] std::vector<io::LineFormatInfo> more_line_formats() const;
   void remove_match_lists() const;
@@ -83,7 +90,9 @@ class PatchStages {
   const io::PatchFile& patch_;
   const RunOptions& options_;
   const results::OutputFolder& out_;
-  reconstruct::Scene scene_;  ///< images are read when first needed
+  results::RunRecord& record_;
+  nlohmann::ordered_json parameters_;  ///< echo of the parameters, by group
+  reconstruct::Scene scene_;           ///< images are read when first needed
   std::vector<std::optional<reconstruct::Surface>>
       surfaces_;  ///< by pair, computed when first needed
 };

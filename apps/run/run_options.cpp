@@ -44,6 +44,11 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
   add_decoys_option(app, flags.options.n_decoys);
   app.add_flag("--resume", flags.options.resume,
                "skip what an earlier run with the same inputs and options has finished");
+  app.add_option("--until", flags.options.until,
+                 "last stage: extract, match, reconstruct or evaluate. Later results of an earlier "
+                 "run are removed, with --resume only if they no longer fit")
+      ->check(CLI::IsMember({"extract", "match", "reconstruct", kLastStage}))
+      ->capture_default_str();
   app.add_option("--assume-crs", flags.options.assume_crs.definition,
                  "CRS of patches, clouds and reference lines in place of their own");
 }

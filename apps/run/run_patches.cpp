@@ -74,6 +74,7 @@ nlohmann::ordered_json echo_options(const RunOptions& options) {
   json["apply_shift"] = options.shift.apply;
   json["geoid"] = options.shift.geoid;
   if (options.n_decoys) json["decoys"] = *options.n_decoys;
+  if (options.until != kLastStage) json["until"] = options.until;
   json["gross_m"] = options.summary.gross_m;
   json["bootstrap_seed"] = options.summary.bootstrap.seed;
   return json;
@@ -167,7 +168,7 @@ PatchesResult write_patches(const std::vector<std::string>& patch_files,
   for (const auto& [patch, frame] : patches)
     early.insert(early.end(), patch.decisions.begin(), patch.decisions.end());
   record.add_warnings(early);
-  for (const CheckedPatch& patch : patches) check_run(patch, options, out);
+  for (const CheckedPatch& patch : patches) check_run(patch, options, out, record);
 
   Progress progress(patches.size() * count_steps(options));
   std::vector<results::TruthRows> truth;
@@ -189,7 +190,13 @@ PatchesResult write_patches(const std::vector<std::string>& patch_files,
 
   // Table 1 is always written: an old table beside new ones would mislead.
   write_table1(found.table1, out);
-  results::write_tables(found.evaluations, truth, out, adjusts_to_faces(options));
+  if (options.until == kLastStage) {
+    results::write_tables(found.evaluations, truth, out, adjusts_to_faces(options));
+  } else {
+    for (const std::string& name : results::result_names({})) {
+      if (name != "run.json") out.remove(name);
+    }
+  }
   record.end_stage("write");
   record.set("messages", found.messages);
   record.set("page", to_json(options.page));
@@ -223,6 +230,7 @@ void run_patches(const std::string& command,
   for (const std::string& message : found.messages) say("{}\n", message);
   const std::filesystem::path results = std::filesystem::absolute(folder).lexically_normal();
   say("Results: {}\n", results.string());
+  if (options.until != kLastStage) return write_report_of_run(results.string(), false);
   for (const auto& [patch, frame] : found.patches) {
     say("Map for QGIS: {}\n", (results / patch.id / results::map_name(product)).string());
   }

@@ -192,6 +192,25 @@ TEST_F(RunPatch, OnePictureForBothCamerasIsWarnedOf) {
   EXPECT_THAT(run_patch("out", {"--no-report"}).err, HasSubstr("hold the same picture"));
 }
 
+TEST_F(RunPatch, EndsWithTheStageThatUntilNames) {
+  const ProgramResult matched = run_patch("out", {"--until", "match"});
+  ASSERT_EQ(matched.exit_code, 0) << matched.err;
+  EXPECT_THAT(matched.out, HasSubstr("Table 1"));
+  EXPECT_TRUE(fs::exists(path("out/1/matches.csv")));
+  for (const char* later : {"1/surface.las", "1/lines.direct.geojson", "table2.md", "report.html"})
+    EXPECT_FALSE(fs::exists(path("out") / later)) << later;
+  EXPECT_THAT(run_patch("out", {"--resume"}).err, HasSubstr("3 finished stages skipped"));
+  const std::string lines = read(path("out/1/lines.direct.geojson"));
+
+  // What still follows from the inputs is kept by --resume, and removed without it.
+  ASSERT_EQ(run_patch("out", {"--until", "extract", "--resume"}).exit_code, 0);
+  EXPECT_EQ(read(path("out/1/lines.direct.geojson")), lines);
+  ASSERT_EQ(run_patch("out", {"--until", "extract"}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(path("out/1/edges.left.csv")));
+  for (const char* later : {"matches.csv", "verdicts.csv", "lines.direct.geojson"})
+    EXPECT_FALSE(fs::exists(path("out/1") / later)) << later;
+}
+
 TEST_F(RunPatch, GivesTheSameBytesForAnyNumberOfThreads) {
   ASSERT_EQ(run_patch("one", {"--jobs", "1"}).exit_code, 0);
   ASSERT_EQ(run_patch("four", {"--jobs", "4"}).exit_code, 0);

@@ -26,16 +26,16 @@ class PlanKey : public testing::Test {
   }
 
   static io::Orientation orientation(double moved_m, double focal_length_px) {
-    io::Orientation orientation;
-    orientation.crs.definition = "EPSG:25832";
-    orientation.ground_height_m = 0.0;
-    orientation.cameras.push_back(
+    io::Orientation two;
+    two.crs.definition = "EPSG:25832";
+    two.ground_height_m = 0.0;
+    two.cameras.push_back(
         {"frame", {{focal_length_px, focal_length_px}, {19.5, 14.5}, {}, Eigen::Vector2i(40, 30)}});
     for (const auto& [name, x_m] : {std::pair("a.tif", 0.0), std::pair("b.tif", 30.0)}) {
       const Eigen::Vector3d place_m(500000.0 + x_m + moved_m, 5400000.0, 100.0);
-      orientation.images.push_back({name, 0, {place_m, world_from_camera_axes(0.01, -0.01, 0.3)}});
+      two.images.push_back({name, 0, {place_m, world_from_camera_axes(0.01, -0.01, 0.3)}});
     }
-    return orientation;
+    return two;
   }
 
   [[nodiscard]] io::BlockFile block(const std::string& more) const {

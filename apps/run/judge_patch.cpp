@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/run/judge_patch.h"
+
+#include "apps/pipeline/made_from.h"
+#include "apps/run/patch_stages.h"
+#include "evaluate/judge/judge_lines.h"
+#include "evaluate/tables/evaluation_json.h"
+#include "io/cloud/cloud_files.h"
+#include "io/files/sha256.h"
+#include "io/files/text_file.h"
+#include "io/lines/read_lines.h"
+#include "io/results/to_fix.h"
+#include "io/results/write_results.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace ridgeline::apps {
+namespace {
+
+using reconstruct::Method;
+
+std::vector<evaluate::ReferenceLine> read_references(const CheckedPatch& patch,
+                                                     const io::Crs& assume_crs,
+                                                     results::RunRecord& record) {
+  const io::LineSet set = io::read_lines(*patch.file.reference_lines, {.assume_crs = assume_crs});
+  results::refuse_mismatch("reference lines and patch", set.path, set.crs, patch.file.crs);
+  record.add_warnings(results::own_warnings(set));
+  return results::reference_lines_of(set, patch.frame);
+}
+
+/// The lines at the places where they were judged.
+std::vector<evaluate::JudgedLine> as_judged(std::vector<evaluate::JudgedLine> lines,
+                                            const evaluate::Evaluation& evaluation) {
+  if (!evaluation.shift || !evaluation.shift->applied) return lines;
+  return results::moved(std::move(lines), -evaluation.shift->shift_m);
+}
+
+}  // namespace
+
+JudgedPatch::JudgedPatch(const CheckedPatch& patch,
+                         const RunOptions& options,
+                         const results::OutputFolder& out,
+                         results::RunRecord& record)
+    : patch_(patch.file), frame_(patch.frame), options_(options), out_(out), record_(record) {
+  if (patch_.reference_lines) references_ = read_references(patch, options.assume_crs, record);
+}
+
+std::vector<std::string> judged_files(const RunOptions& options) {
+  std::vector<std::string> files;
+  for (const Method method : options.methods) {
+    for (std::string& file : results::evaluation_names(reconstruct::name(method)))
+      files.push_back(std::move(file));
+  }
+  files.emplace_back(results::kToFixName);
+  return files;
+}
+
+std::string JudgedPatch::key(std::vector<std::string> parts) const {
+  parts.push_back(options_.assume_crs.definition);
+  parts.push_back(echo(options_.parameters)["judge"].dump());
+  if (options_.map_schema == results::MapSchema::kFkb) parts.emplace_back("fkb");
+  if (options_.shift.apply) parts.emplace_back("apply shift");
+  if (options_.n_decoys) parts.push_back(fmt::format("decoys {}", *options_.n_decoys));
+  if (!options_.shift.geoid.empty()) parts.push_back(io::sha256_of_file(options_.shift.geoid));
+  parts.push_back(fmt::format("{} {} {} {}", options_.summary.gross_m, options_.summary.sigma_sys_m,
+                              options_.summary.bootstrap.replicates,
+                              options_.summary.bootstrap.seed));
+  if (!patch_.lidar.empty()) {
+    for (const std::string& file : io::expand_patterns(patch_.lidar))
+      parts.push_back(record_.hash_of(file));
+  }
+  return key_of(parts);
+}
+
+void JudgedPatch::judge() const {
+  results::write_judged(patch_.lidar.empty() ? without_lidar() : against_lidar(),
+                        options_.map_schema, out_, patch_.id + "/");
+}
+
+void JudgedPatch::read(PatchResult& result) const {
+  for (const Method method : options_.methods) {
+    result.evaluations.push_back(evaluate::parse_evaluation(io::read_text_file(
+        out_.path(fmt::format("{}/evaluation.{}.json", patch_.id, reconstruct::name(method))))));
+    result.truth.push_back(results::compare_with_truth(
+        result.evaluations.back(), as_judged(lines_of(method), result.evaluations.back()),
+        references_));
+  }
+}
+
+results::JudgedFiles JudgedPatch::against_lidar() const {
+  results::JudgeFilesOptions options;
+  for (const Method method : options_.methods) options.line_paths.push_back(line_path(method));
+  options.cloud_paths = patch_.lidar;
+  options.patch = patch_;
+  options.patch_name = patch_.id;
+  options.cloud.frame = frame_;
+  options.cloud.assume_crs = options_.assume_crs;
+  options.judge = options_.parameters.judge;
+  options.summary = options_.summary;
+  options.apply_shift = options_.shift.apply;
+  options.geoid = options_.shift.geoid;
+  options.n_decoys = options_.n_decoys;
+  options.refuse_other_places = false;
+  results::JudgedFiles judged = results::judge_files(options, record_);
+  record_.add_warnings(judged.warnings);
+  for (std::size_t i = 0; i < options_.methods.size(); ++i)
+    judged.evaluations[i].method = reconstruct::name(options_.methods[i]);
+  return judged;
+}
+
+results::JudgedFiles JudgedPatch::without_lidar() const {
+  const auto nothing = evaluate::PointGrid::build(0, [](std::size_t) { return Eigen::Vector3d(); });
+  results::JudgedFiles judged;
+  judged.cloud_crs = patch_.crs;
+  for (const Method method : options_.methods) {
+    evaluate::Evaluation evaluation;
+    evaluation.patch = patch_.id;
+    evaluation.method = reconstruct::name(method);
+    evaluation.origin_m = frame_.origin_m;
+    evaluation.options = options_.summary;
+    for (auto& result :
+         evaluate::judge_lines(nothing, lines_of(method), options_.parameters.judge)) {
+      evaluation.lines.push_back(std::move(result.evaluation));
+    }
+    judged.line_sets.push_back(io::read_lines(line_path(method)));
+    judged.evaluations.push_back(evaluate::with_summaries(std::move(evaluation)));
+    judged.planes.emplace_back();
+  }
+  return judged;
+}
+
+std::vector<evaluate::JudgedLine> JudgedPatch::lines_of(Method method) const {
+  return results::judged_lines_of(io::read_lines(line_path(method)), frame_, patch_);
+}
+
+std::string JudgedPatch::line_path(Method method) const {
+  return out_.path(patch_.id + "/" + PatchStages::line_file(method));
+}
+
+}  // namespace ridgeline::apps
