@@ -21,7 +21,7 @@ class LinesBlockReader {
       : path_(path),
         folder_(std::filesystem::path(path).parent_path()),
         map_(path,
-             load_yaml(path, Expected::kBlock),
+             load_yaml(path, FileGroup::kBlock),
              {"block", "lines", "lidar", "crs", "reference_lines", "patch_size_m", "classes",
               "exclude_withheld", "last_returns", "scale_to_ground", "bounds", "origin"}) {}
 
@@ -113,7 +113,7 @@ class LinesBlockReader {
 LinesBlockFile read_lines_block(const std::string& path) { return LinesBlockReader(path).read(); }
 
 bool is_lines_block(const std::string& path) {
-  const YAML::Node root = load_yaml(path, Expected::kBlock);
+  const YAML::Node root = load_yaml(path, FileGroup::kBlock);
   return root.IsMap() && root["lines"].IsDefined();
 }
 

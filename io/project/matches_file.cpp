@@ -98,7 +98,7 @@ void write_matches(const std::string& path, std::span<const FoundMatch> matches)
 }
 
 std::vector<FoundMatch> read_matches(const std::string& path) {
-  const CsvTable table(path, Expected::kMatches);
+  const CsvTable table(path, FileGroup::kMatches);
   const std::vector<LineMatch> pairs = pairs_of(table);
   std::vector<FoundMatch> rows(pairs.size());
   for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -111,7 +111,7 @@ std::vector<FoundMatch> read_matches(const std::string& path) {
 }
 
 ReferenceMatches read_reference_matches(const std::string& path) {
-  const CsvTable table(path, Expected::kReferenceMatches);
+  const CsvTable table(path, FileGroup::kReferenceMatches);
   if (table.has("left_id")) return pairs_of(table);
   return edges_of(table);
 }
