@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/as_flags.h"
 #include "apps/common/command.h"
 #include "io/error.h"
 #include "io/results/run_record.h"
@@ -8,6 +9,7 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <fmt/ranges.h>
+#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <tbb/global_control.h>
@@ -19,9 +21,11 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -139,9 +143,25 @@ void add_global_options(CLI::App& app, GlobalOptions& options) {
       ->option_text("LEVEL=info");
 }
 
+/// What is logged, with flags in place of the libraries' names of options.
+class MessageWithFlags : public spdlog::custom_flag_formatter {
+ public:
+  void format(const spdlog::details::log_msg& message,
+              const std::tm& /*time*/,
+              spdlog::memory_buf_t& out) override {
+    const std::string text = as_flags({message.payload.data(), message.payload.size()});
+    out.append(text.data(), text.data() + text.size());
+  }
+  [[nodiscard]] std::unique_ptr<spdlog::custom_flag_formatter> clone() const override {
+    return std::make_unique<MessageWithFlags>();
+  }
+};
+
 void set_up_log(const GlobalOptions& options) {
   auto log = spdlog::stderr_color_mt("ridgeline");
-  log->set_pattern("%^%l%$: %v");
+  auto formatter = std::make_unique<spdlog::pattern_formatter>();
+  formatter->add_flag<MessageWithFlags>('*').set_pattern("%^%l%$: %*");
+  log->set_formatter(std::move(formatter));
   log->set_level(options.quiet ? spdlog::level::err : spdlog::level::from_str(options.log_level));
   spdlog::set_default_logger(log);
 }
@@ -149,7 +169,7 @@ void set_up_log(const GlobalOptions& options) {
 /// Libraries put line breaks into some of their messages; scripts read one line.
 int fail(std::string message, ExitCode code) {
   std::replace(message.begin(), message.end(), '\n', ' ');
-  fmt::print(stderr, "ridgeline: {}\n", message);
+  fmt::print(stderr, "ridgeline: {}\n", as_flags(message));
   return code;
 }
 

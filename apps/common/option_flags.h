@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "apps/common/as_flags.h"
 #include "reconstruct/geometry/field.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string>
 #include <type_traits>
 
 namespace ridgeline::apps {
-
-/// The flag of a field: "corridor_half_width_m" -> "--corridor-half-width-m".
-inline std::string flag_of(std::string_view field_name) {
-  std::string flag = "--" + std::string(field_name);
-  std::replace(flag.begin(), flag.end(), '_', '-');
-  return flag;
-}
 
 /// Accepts numbers in [lowest, highest]; NaN is in no range. The validator has no description,
 /// because CLI11 would print it in the help of every option.

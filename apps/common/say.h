@@ -1,21 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <fmt/core.h>
+#include "apps/common/as_flags.h"
+
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace ridgeline::apps {
 
-/// Prints a summary of what a command wrote to stdout; nothing with --quiet. Answers that a command
-/// is called for
-/// (`info`, `gate`, `compare`) are printed whatever is set.
+/// Prints an answer that a command is called for (`info`, `gate`, `compare`), with flags in place
+/// of the libraries' names of options.
+inline void answer(std::string_view text) { fmt::print("{}", as_flags(text)); }
+
+/// Prints a summary of what a command wrote to stdout as answer() does; nothing with --quiet.
 template <typename... Values>
 void say(fmt::format_string<Values...> format, Values&&... values) {
-  if (spdlog::get_level() < spdlog::level::err) fmt::print(format, std::forward<Values>(values)...);
+  if (spdlog::get_level() < spdlog::level::err)
+    answer(fmt::format(format, std::forward<Values>(values)...));
 }
 
 /// Prints what was decided to stderr.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
+#include "apps/common/say.h"
 #include "apps/compare/matcher_runs.h"
 #include "evaluate/compare/comparison.h"
 #include "evaluate/gates/metric.h"
@@ -98,7 +99,7 @@ void write_comparison(const Compared& comparison, const std::string& out) {
     folder.write("compare.md", evaluate::to_markdown(comparison));
     folder.write_record(evaluate::Json::parse(evaluate::to_json(comparison)));
   }
-  fmt::print("{}", evaluate::to_terminal(comparison));
+  answer(evaluate::to_terminal(comparison));
 }
 
 int run_compare(const CompareArguments& a) {

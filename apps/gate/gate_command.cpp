@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
+#include "apps/common/say.h"
 #include "apps/common/shared_options.h"
+#include "apps/gate/gates_template.h"
 #include "evaluate/gates/gate_report.h"
 #include "io/error.h"
 #include "io/files/atomic_file.h"
 #include "io/results/gate_files.h"
-#include "io/results/gates_template.h"
 #include "io/results/output_folder.h"
 
 #include <fmt/chrono.h>
@@ -58,13 +59,13 @@ void check_reports(const GateArguments& a) {
 
 int write_template(const std::string& file) {
   if (file.empty()) {
-    fmt::print("{}", results::gates_template());
+    fmt::print("{}", gates_template());
     return kDone;
   }
   if (fs::exists(fs::symlink_status(file))) {
     throw io::IoError(file, "exists already; --init writes a new file");
   }
-  io::write_file(file, results::gates_template());
+  io::write_file(file, gates_template());
   return kDone;
 }
 
@@ -84,9 +85,9 @@ int run_gate(const GateArguments& a) {
   if (!a.junit.empty()) io::write_file(a.junit, evaluate::to_junit(report, now_utc()));
   if (!a.summary.empty()) io::write_file(a.summary, evaluate::to_markdown(report));
   if (!a.json.empty()) io::write_file(a.json, evaluate::to_json(report));
-  fmt::print("{}", evaluate::to_terminal(report));
+  answer(evaluate::to_terminal(report));
   if (std::getenv("GITHUB_ACTIONS") != nullptr) {
-    for (const std::string& line : evaluate::to_annotations(report)) fmt::print("{}\n", line);
+    for (const std::string& line : evaluate::to_annotations(report)) answer(line + "\n");
   }
   for (const std::string& warning : report.warnings) spdlog::warn("{}", warning);
   return report.passed() ? kDone : kGateFailed;

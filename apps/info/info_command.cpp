@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
+#include "apps/common/say.h"
 #include "apps/info/orientation_facts.h"
 #include "apps/info/own_files.h"
 #include "apps/pipeline/read_patch.h"
@@ -95,7 +96,7 @@ void print_bounds(const Eigen::AlignedBox3d& box) {
 }
 
 void print_warnings(const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) fmt::print("  warning     {}\n", warning);
+  for (const std::string& warning : warnings) answer(fmt::format("  warning     {}\n", warning));
 }
 
 void print_counts(const char* label, const std::map<std::uint8_t, std::uint64_t>& counts) {

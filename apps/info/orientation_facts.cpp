@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/info/orientation_facts.h"
 
+#include "apps/common/say.h"
 #include "apps/info/own_files.h"
 #include "apps/pipeline/image_points.h"
 #include "io/error.h"
@@ -105,7 +106,8 @@ void print_orientation(const std::string& path, const OrientationArguments& argu
   fmt::print("  crs         {}\n", crs_text(orientation.crs));
   for (const std::string& decision : orientation.decisions)
     fmt::print("  decided     {}\n", decision);
-  for (const std::string& warning : orientation.warnings) fmt::print("  warning     {}\n", warning);
+  for (const std::string& warning : orientation.warnings)
+    answer(fmt::format("  warning     {}\n", warning));
   write_map(path, arguments, orientation);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/info/own_files.h"
 
+#include "apps/common/say.h"
 #include "apps/pipeline/parameters.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "io/error.h"
@@ -143,6 +144,6 @@ void print_own_file(const std::string& path, const io::FileKind& kind) {
   print_use(kind.advice);
 }
 
-void print_use(const std::string& what) { fmt::print("  use         {}\n", what); }
+void print_use(const std::string& what) { answer(fmt::format("  use         {}\n", what)); }
 
 }  // namespace ridgeline::apps

@@ -102,7 +102,7 @@ bool fits_far_better(const PairFit& other, const PairFit& given, const PairReadi
       fmt::format("images {} and {} do not fit their cameras: {} points that both show lie {:.3g} "
                   "px from the epipolar "
                   "lines of each other (median{}), {:.0f} % of them within height_range{}. "
-                  "--max-y-parallax-px 0 leaves this "
+                  "`max_y_parallax_px` 0 leaves this "
                   "check out",
                   pair.paths[0], pair.paths[1], fit.n_points, fit.median_y_parallax_px, rule,
                   100.0 * fit.share_that_fits, better));

@@ -182,7 +182,7 @@ void check_preset(const ParameterArguments& parameters,
   if (parameters.preset != "published") return;
   for (const reconstruct::Method method : methods) {
     check(method == reconstruct::Method::kDirect || method == reconstruct::Method::kJoint,
-          "--preset published: ", reconstruct::name(method),
+          "`preset` published: ", reconstruct::name(method),
           " is not one of the papers' methods; must be direct or joint");
   }
 }
@@ -198,7 +198,7 @@ Parameters preset_parameters(const std::string& preset) {
 Parameters read_parameters(const ParameterArguments& arguments) {
   Parameters parameters = preset_parameters(arguments.preset);
   if (!arguments.config.empty()) {
-    read_config(arguments.config, io::load_yaml(arguments.config, io::Expected::kConfig),
+    read_config(arguments.config, io::load_yaml(arguments.config, io::FileGroup::kConfig),
                 parameters);
   }
   if (!arguments.config_text.empty()) {

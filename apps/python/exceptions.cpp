@@ -4,12 +4,11 @@
 #include "io/error.h"
 #include "reconstruct/geometry/interruption.h"
 
-#include <algorithm>
 #include <exception>
 #include <filesystem>
-#include <regex>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace ridgeline::python {
 namespace py = pybind11;
@@ -27,30 +26,25 @@ PyObject* type_of(const io::IoError& error) {
   return is_missing ? PyExc_FileNotFoundError : file_error.ptr();
 }
 
+/// `text` with `to` in place of `from`, if it begins so.
+std::string with_beginning(std::string text, std::string_view from, std::string_view to) {
+  return text.starts_with(from) ? text.replace(0, from.size(), to) : text;
+}
+
 /// The message without line numbers if the data are in memory: there, gates are written one per
 /// line and a config on a single line.
 std::string without_lines(const io::IoError& error) {
-  std::string text = error.what();
   if (error.path() == kGatesInMemory)
-    return std::regex_replace(text, std::regex("^gates: line "), "gates: entry ");
+    return with_beginning(error.what(), "gates: line ", "gates: entry ");
   if (error.path() == apps::kConfigInMemory)
-    return std::regex_replace(text, std::regex("^config: line 1: "), "");
-  return text;
+    return with_beginning(error.what(), "config: line 1: ", "");
+  return error.what();
 }
 
-/// The message with options of the program renamed to arguments: --sigma-sys-m becomes sigma_sys_m.
-std::string with_arguments(const std::string& message) {
-  static const std::regex option("--([a-z][a-z-]*[a-z])");
-  std::string text;
-  auto from = message.begin();
-  for (std::sregex_iterator it(message.begin(), message.end(), option), end; it != end; ++it) {
-    text.append(from, (*it)[0].first);
-    std::string name = (*it)[1];
-    std::ranges::replace(name, '-', '_');
-    text += name;
-    from = (*it)[0].second;
-  }
-  return text.append(from, message.end());
+/// The message without the backticks around options, which are arguments of the same name.
+std::string without_ticks(std::string message) {
+  std::erase(message, '`');
+  return message;
 }
 
 }  // namespace
@@ -70,9 +64,9 @@ void add_exceptions(py::module_& core) {
     } catch (const Interrupted&) {
       PyErr_SetNone(PyExc_SystemExit);  // Python ends, and so does this thread, without a word
     } catch (const io::IoError& error) {
-      PyErr_SetString(type_of(error), with_arguments(without_lines(error)).c_str());
+      PyErr_SetString(type_of(error), without_ticks(without_lines(error)).c_str());
     } catch (const std::invalid_argument& error) {
-      PyErr_SetString(PyExc_ValueError, with_arguments(error.what()).c_str());
+      PyErr_SetString(PyExc_ValueError, without_ticks(error.what()).c_str());
     } catch (const fs::filesystem_error& error) {
       PyErr_SetString(PyExc_OSError, error.what());
     }

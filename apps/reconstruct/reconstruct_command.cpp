@@ -129,7 +129,7 @@ io::LineFormat format_of(const ReconstructArguments& a) {
 }
 
 void check_outputs(const ReconstructArguments& a, std::vector<std::string> inputs) {
-  if (!a.matches.empty()) io::require_regular_file(a.matches, io::Expected::kMatches);
+  if (!a.matches.empty()) io::require_regular_file(a.matches, io::FileGroup::kMatches);
   inputs.push_back(a.matches);
   results::check_output_file(a.out, inputs, a.overwrite);
   inputs.push_back(a.out);

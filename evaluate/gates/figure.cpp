@@ -61,7 +61,7 @@ std::string why_no_class(const Evaluation& e, const std::string& line_class) {
       fmt::format("these lines have no class {}, only {}", line_class, fmt::join(classes, ", "));
   if (find_class(e.classes, kAligned) == nullptr) {
     why +=
-        "; the classes aligned and not_aligned come from evaluate --patch PATCH.yaml, or from a "
+        "; the classes aligned and not_aligned come from evaluate `patch` PATCH.yaml, or from a "
         "column class of the line file";
   }
   return why;
@@ -129,7 +129,7 @@ Figure decoy_figure(const Evaluation& e, const Gate& gate) {
     return name(d.kind) == gate.kind && d.distance_m == gate.distance_m;
   });
   if (found == e.decoys.end()) {
-    figure.why_missing = e.decoys.empty() ? "no lines were moved on purpose (--decoys)"
+    figure.why_missing = e.decoys.empty() ? "no lines were moved on purpose (`decoys`)"
                                           : fmt::format("no line was moved so ({}, {} m)",
                                                         *gate.kind, *gate.distance_m);
     return figure;
@@ -184,7 +184,7 @@ std::string why_no_method(const std::string& method,
       fmt::format("there is no method {}; there are: {}", method, fmt::join(methods, ", "));
   const bool is_method = std::ranges::find(kMethodsByRank, method) != kMethodsByRank.end();
   if (is_method && !folder.is_of_line_files)
-    why += fmt::format("; run with --methods {},{}", fmt::join(methods, ","), method);
+    why += fmt::format("; run with `methods` {},{}", fmt::join(methods, ","), method);
   return why;
 }
 

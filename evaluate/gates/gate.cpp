@@ -110,7 +110,7 @@ void check_same_inputs(const ResultFolder& results, const ResultFolder& baseline
 /// place of a value.
 Figure baseline_figure(const Gate& gate, const Figure& figure, const ResultFolder* baseline) {
   Figure none;
-  none.why_missing = "no baseline is given (--baseline)";
+  none.why_missing = "no baseline is given (`baseline`)";
   if (baseline == nullptr) return none;
   Gate same_cell = gate;
   same_cell.patch = figure.patch;

@@ -46,7 +46,7 @@ constexpr std::array kAccuracyMetrics{
                    [](const Summary& s) { return s.q95_m; }},
     AccuracyMetric{{"max_m", "the line farthest off", kInMetres},
                    [](const Summary& s) { return s.max_m; }},
-    AccuracyMetric{{"gross_share", "share of the lines farther off than --gross-m", kAsShare},
+    AccuracyMetric{{"gross_share", "share of the lines farther off than gross_m", kAsShare},
                    [](const Summary& s) { return s.gross_share; }},
     AccuracyMetric{{"evaluated_share", "share of all lines that could be judged", kAsShare},
                    [](const Summary& s) { return s.evaluated_share(); }},

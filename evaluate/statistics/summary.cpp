@@ -211,10 +211,10 @@ Summary Summary::of_group(DecidedGroup group) const {
 }
 
 void validate(const SummaryOptions& options) {
-  check(std::isfinite(options.gross_m) && options.gross_m > 0.0, "--gross-m = ", options.gross_m,
+  check(std::isfinite(options.gross_m) && options.gross_m > 0.0, "`gross_m` = ", options.gross_m,
         ", must be finite and > 0");
   check(std::isfinite(options.sigma_sys_m) && options.sigma_sys_m >= 0.0,
-        "--sigma-sys-m = ", options.sigma_sys_m, ", must be finite and >= 0");
+        "`sigma_sys_m` = ", options.sigma_sys_m, ", must be finite and >= 0");
 }
 
 std::optional<double> Summary::evaluated_share() const {

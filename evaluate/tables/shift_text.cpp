@@ -53,7 +53,7 @@ std::string shift_message(const Evaluation& evaluation, bool apply_shift) {
   if (!shift || !shift->is_significant()) {
     return apply_shift
                ? whose +
-                     "no shift of the lines is significant, so that none was moved (--apply-shift)."
+                     "no shift of the lines is significant, so that none was moved (`apply_shift`)."
                : "";
   }
   const std::string what = fmt::format(
@@ -63,8 +63,8 @@ std::string shift_message(const Evaluation& evaluation, bool apply_shift) {
       shift->cause.empty() ? "no known cause fits" : "likely cause: " + shift->cause;
   return fmt::format("{}{}; {}. {}", whose, what, cause,
                      shift->applied
-                         ? "They were moved against it before they were judged (--apply-shift)."
-                         : "Figures include it; --apply-shift judges the lines without it.");
+                         ? "They were moved against it before they were judged (`apply_shift`)."
+                         : "Figures include it; `apply_shift` judges the lines without it.");
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ std::string moved_note(const Evaluation& evaluation) {
   return fmt::format(
       "{} of patch {}: before they were judged, the lines were moved by x {}, y {}, z {} m, "
       "against the "
-      "shift that was estimated (--apply-shift).",
+      "shift that was estimated (`apply_shift`).",
       evaluation.method, evaluation.patch, metres(by_m.x()), metres(by_m.y()), metres(by_m.z()));
 }
 

@@ -116,7 +116,7 @@ std::string_view faces_note(const Table2& table) {
   };
   if (!table.joint_adjusts_to_faces || !has("direct") || !has("joint")) return "";
   return "joint adjusts lines to the plane faces of the surface beside them (faces_beside); direct "
-         "does not. Their not_aligned lines differ for this reason. With --preset published they "
+         "does not. Their not_aligned lines differ for this reason. With the published preset they "
          "are equal.";
 }
 

@@ -45,7 +45,7 @@ std::unique_ptr<CloudSource> open_cloud(const std::string& path, const OpenCloud
   }
   if (start.starts_with("LASF")) return open_las(std::move(file), path, options);
   refuse_other_kind(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()},
-                    Expected::kCloud);
+                    FileGroup::kCloud);
   if (has_xyz_name(path)) return open_xyz(std::move(file), path);
   // Any other file goes to the LAS reader, which says best what is wrong with it.
   return open_las(std::move(file), path, options);

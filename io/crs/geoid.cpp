@@ -128,7 +128,7 @@ std::optional<GeoidHeight> by_world_grid(const GridScale& place, std::set<std::s
 }
 
 proj::Object user_grid(PJ_CONTEXT* context, const std::string& path) {
-  if (!fs::is_regular_file(path)) throw IoError(path, "is no file; --geoid takes a geoid grid");
+  if (!fs::is_regular_file(path)) throw IoError(path, "is not a file; `geoid` takes a geoid grid");
   proj::Object grid = grid_shift(context, fs::absolute(path).string());
   if (grid) return grid;
   throw IoError(path,

@@ -26,7 +26,7 @@ std::vector<std::string_view> plain_fields_of(std::string_view row) {
 
 }  // namespace
 
-CsvTable::CsvTable(const std::string& path, std::optional<Expected> expected)
+CsvTable::CsvTable(const std::string& path, std::optional<FileGroup> expected)
     : path_(path), content_(read_input(path, expected)) {
   const std::vector<TextRow> rows = rows_of(content_);
   if (rows.empty())

@@ -19,7 +19,7 @@ class CsvTable {
  public:
   /// Throws IoError for a file that cannot be read or is empty, for one that is known to be of
   /// another kind than `expected`, and for a row with another number of fields than the header.
-  explicit CsvTable(const std::string& path, std::optional<Expected> expected = std::nullopt);
+  explicit CsvTable(const std::string& path, std::optional<FileGroup> expected = std::nullopt);
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   /// Whether there is a column of this name, given in lower case. The header may use any case.

@@ -2,6 +2,7 @@
 #include "io/files/input_file.h"
 
 #include "io/error.h"
+#include "io/text/utf8.h"
 
 #include <array>
 #include <cerrno>
@@ -21,7 +22,7 @@ bool is_open_pipe(const std::string& path, const std::filesystem::file_status& s
          (path == "/dev/stdin" || path.starts_with("/dev/fd/") || path.starts_with("/proc/self/"));
 }
 
-std::filesystem::file_status status_of(const std::string& path, std::optional<Expected> expected) {
+std::filesystem::file_status status_of(const std::string& path, std::optional<FileGroup> expected) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw MissingFileError(path, "no such file");
@@ -37,7 +38,7 @@ std::filesystem::file_status status_of(const std::string& path, std::optional<Ex
 }
 
 std::string read_at_most(const std::string& path,
-                         std::optional<Expected> expected,
+                         std::optional<FileGroup> expected,
                          std::size_t most_bytes) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream.is_open()) {
@@ -54,16 +55,17 @@ std::string read_at_most(const std::string& path,
     }
   }
   if (stream.bad()) throw IoError(path, "cannot be read");
+  bytes.erase(0, bytes.size() - without_byte_order_mark(bytes).size());
   return bytes;
 }
 
 }  // namespace
 
-void require_regular_file(const std::string& path, std::optional<Expected> expected) {
+void require_regular_file(const std::string& path, std::optional<FileGroup> expected) {
   if (!std::filesystem::is_regular_file(status_of(path, expected))) refuse_irregular(path);
 }
 
-std::string read_input(const std::string& path, std::optional<Expected> expected) {
+std::string read_input(const std::string& path, std::optional<FileGroup> expected) {
   constexpr std::size_t kMaxPipe_bytes = 64U << 20U;
   const std::filesystem::file_status status = status_of(path, expected);
   if (is_open_pipe(path, status)) return read_at_most(path, expected, kMaxPipe_bytes);

@@ -47,7 +47,7 @@ void fail_yaml(const std::string& path, const YAML::Node& node, const std::strin
                 mark.is_null() ? message : fmt::format("line {}: {}", mark.line + 1, message));
 }
 
-YAML::Node load_yaml(const std::string& path, std::optional<Expected> expected) {
+YAML::Node load_yaml(const std::string& path, std::optional<FileGroup> expected) {
   return parse_yaml(read_input(path, expected), path);
 }
 

@@ -21,7 +21,7 @@ namespace ridgeline::io {
 
 /// The root of a YAML file. Throws IoError if it cannot be read, with the parser's line, if it is
 /// empty or has more than one document, and if it is known to be of another kind than `expected`.
-YAML::Node load_yaml(const std::string& path, std::optional<Expected> expected = std::nullopt);
+YAML::Node load_yaml(const std::string& path, std::optional<FileGroup> expected = std::nullopt);
 /// The root of a YAML text. Throws IoError as load_yaml() does for its content; `path` is what
 /// messages call the text.
 YAML::Node parse_yaml(const std::string& content, const std::string& path);

@@ -206,7 +206,7 @@ void check_image_size(const std::string& path,
     throw IoError(
         path, fmt::format(
                   "{} x {} pixels are {:.4g} million; {}. If the image is meant, allow its size by "
-                  "--max-image-mpx {:.0f}",
+                  "`max_image_mpx` {:.0f}",
                   read.width, read.height, mpx, rule, std::ceil(mpx)));
   };
   if (max_mpx > 0.0) {

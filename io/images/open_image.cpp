@@ -82,7 +82,7 @@ GDALDatasetUniquePtr ImageSession::open(const std::string& path) const {
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw MissingFileError(path, "does not exist");
   if (std::filesystem::is_directory(status)) {
-    refuse_other_kind(path, Expected::kImage);
+    refuse_other_kind(path, FileGroup::kImage);
     throw IoError(path, "is a folder, not an image");
   }
   if (!std::filesystem::is_regular_file(status)) {
@@ -95,7 +95,7 @@ GDALDatasetUniquePtr ImageSession::open(const std::string& path) const {
   GDALDatasetUniquePtr dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
   if (!dataset) {
-    refuse_other_kind(path, Expected::kImage);
+    refuse_other_kind(path, FileGroup::kImage);
     throw IoError(path, "is no readable TIFF, PNG, JPEG or JPEG 2000 image: " +
                             shortened(quiet_.complaints("its content is none of these")));
   }

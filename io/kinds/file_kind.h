@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
 namespace ridgeline::io {
 
-/// Kinds of files and folders, grouped by the readers that take them.
+/// Kinds of files and folders, grouped by the readers that take them. To a reader, the group that
+/// it expects.
 enum class FileGroup : std::uint8_t {
   kUnknown,
   kEmpty,
@@ -47,7 +49,15 @@ struct FileKind {
   }
 };
 
-/// How files of a group are given to the program; empty where that differs from file to file.
-std::string advice_on(FileGroup group);
+/// A group of files: what is said of it, and of its reader. Options stand in backticks.
+struct GroupInfo {
+  FileGroup group = FileGroup::kUnknown;
+  const char* advice = "";  ///< how such a file is given to the program; empty where that differs
+  const char* takes = "";   ///< what the reader of the group takes: "a point cloud"
+  const char* rule = "";    ///< the rule of the reader; empty: "{takes} is expected"
+  std::array<FileGroup, 4> also = {};  ///< other groups that the reader takes
+};
+
+const GroupInfo& info_of(FileGroup group);
 
 }  // namespace ridgeline::io

@@ -104,8 +104,9 @@ std::vector<std::string> patch_files_in(const fs::path& folder) {
 FileKind kind_of_folder(const fs::path& folder) {
   const std::vector<std::string> names = names_in(folder);
   if (holds_results(folder, names)) {
-    return {
-        .group = kResultFolder, .what = "a folder of results", .advice = advice_on(kResultFolder)};
+    return {.group = kResultFolder,
+            .what = "a folder of results",
+            .advice = info_of(kResultFolder).advice};
   }
   if (is_there(folder / "compare.json")) {
     return {.group = kOther, .what = "a comparison of results", .advice = "open its compare.md"};
@@ -119,7 +120,7 @@ FileKind kind_of_folder(const fs::path& folder) {
   if (is_limap) {
     return {.group = kLineFolder,
             .what = "a folder of LIMAP's tracks",
-            .advice = advice_on(kLineFolder)};
+            .advice = info_of(kLineFolder).advice};
   }
   if (holds_colmap(folder)) {
     return {.group = kOrientation,

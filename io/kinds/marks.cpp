@@ -13,140 +13,140 @@ using enum FileGroup;
 
 struct Mark {
   std::string_view text;
-  FileGroup group;
-  const char* what;
-  const char* advice = "";
   std::size_t at = 0;  ///< byte of the file where the mark begins
-  const char* ending = "";
+};
+
+struct Format {
+  const char* what;
+  FileGroup group;
+  std::array<Mark, 4> marks = {};  ///< any of these tells
+  const char* extensions = "";     ///< as words; of lines the first is that of their reader
+  const char* advice = "";
 };
 
 constexpr const char* kNotRead = "which is not read";
 constexpr const char* kUnpack = "unpack it";
-constexpr const char* kAsGeoPackage = "save its lines as GeoPackage";
 constexpr const char* kAsTiff = "save it as TIFF";
-constexpr const char* kInUtf8 = "save it in UTF-8";
+constexpr const char* kAsDxf = "save it as DXF";
+constexpr const char* kGiveShp = "give the .shp";
 
-/// All marks. The first that fits decides, so special marks stand before general ones.
-constexpr std::array kMarks{
-    Mark{"copc", kCloud, "a COPC point cloud", "", 377},
-    Mark{"LASF", kCloud, "a LAS point cloud"},
-    Mark{"# .PCD", kCloud, "a PCD point cloud"},
-    Mark{"VERSION .", kCloud, "a PCD point cloud"},
-    Mark{"VERSION 0.", kCloud, "a PCD point cloud"},
-    Mark{"ASTM-E57", kOther, "an E57 point cloud", "save it as LAS"},
-    Mark{"GPKG", kLines, "a GeoPackage", "", 68, ".gpkg"},
-    Mark{"GP10", kLines, "a GeoPackage", "", 68, ".gpkg"},
-    Mark{"SQLite format 3\0"sv, kOther, "an SQLite database",
-         "name it .gpkg if it is a GeoPackage"},
-    Mark{"II*\0"sv, kImage, "a TIFF image"},
-    Mark{"MM\0*"sv, kImage, "a TIFF image"},
-    Mark{"II+\0"sv, kImage, "a TIFF image"},
-    Mark{"MM\0+"sv, kImage, "a TIFF image"},
-    Mark{"\x89PNG", kImage, "a PNG image"},
-    Mark{"\xFF\xD8\xFF", kImage, "a JPEG image"},
-    Mark{"GIF8", kOther, "a GIF image", kAsTiff},
-    Mark{"jP  ", kImage, "a JPEG 2000 image", "", 4},
-    Mark{"WEBP", kOther, "a WebP image", kAsTiff, 8},
-    Mark{"\x89HDF", kOther, "HDF5", kNotRead},
-    Mark{"PK\x03\x04", kOther, "a ZIP archive", kUnpack},
-    Mark{"PK\x05\x06", kOther, "an empty ZIP archive"},
-    Mark{"\x1F\x8B", kOther, "compressed by gzip", kUnpack},
-    Mark{"BZh", kOther, "compressed by bzip2", kUnpack},
-    Mark{"\xFD"
-         "7zXZ",
-         kOther, "compressed by xz", kUnpack},
-    Mark{"\x28\xB5\x2F\xFD", kOther, "compressed by zstd", kUnpack},
-    Mark{"7z\xBC\xAF", kOther, "a 7z archive", kUnpack},
-    Mark{"Rar!", kOther, "a RAR archive", kUnpack},
-    Mark{"ustar", kOther, "a tar archive", kUnpack, 257},
-    Mark{"%PDF", kOther, "a PDF", kNotRead},
-    Mark{"glTF", kOther, "glTF, a mesh for display", kNotRead},
-    Mark{"AC10", kOther, "a DWG drawing", "save it as DXF"},
-    Mark{"AutoCAD Binary DXF", kLines, "a DXF drawing", "", 0, ".dxf"},
-    Mark{"fgb\x03", kOther, "FlatGeobuf", "save it as GeoPackage"},
-    Mark{"PAR1", kOther, "Parquet", "save it as GeoPackage"},
-    Mark{"\0\0\x27\x0A"sv, kLines, "a Shapefile", "", 0, ".shp"},
-    Mark{"\xFF\xFE", kOther, "text in UTF-16", kInUtf8},
-    Mark{"\xFE\xFF", kOther, "text in UTF-16", kInUtf8},
-    Mark{"ISO-10303-21", kOther, "a building model (IFC or STEP)", kNotRead},
-    Mark{"ncols", kOther, "an ASCII grid", "give its cells as x y z lines"},
-    Mark{"NCOLS", kOther, "an ASCII grid", "give its cells as x y z lines"},
-    Mark{"version https://git-lfs", kOther, "a Git LFS pointer",
-         "fetch the file with git lfs pull"},
-    Mark{"<!DOCTYPE html", kOther, "a web page", "perhaps of a failed download"},
-    Mark{"<!doctype html", kOther, "a web page", "perhaps of a failed download"},
-    Mark{"<html", kOther, "a web page", "perhaps of a failed download"}};
+/// All formats. The first that fits decides, so special marks stand before general ones.
+constexpr std::array kKnownFormats{
+    Format{"a COPC point cloud", kCloud, {{{"copc", 377}}}},
+    Format{"a LAS point cloud", kCloud, {{{"LASF"}}}, ".las"},
+    Format{"a LAZ point cloud", kCloud, {}, ".laz"},
+    Format{"a PCD point cloud", kCloud, {{{"# .PCD"}, {"VERSION ."}, {"VERSION 0."}}}, ".pcd"},
+    Format{"a text point cloud", kCloud, {}, ".xyz .pts"},
+    Format{"an E57 point cloud", kOther, {{{"ASTM-E57"}}}, ".e57", "save it as LAS"},
+    Format{"a PLY", kPly, {}, ".ply"},
+    Format{"a GeoPackage", kLines, {{{"GPKG", 68}, {"GP10", 68}}}, ".gpkg"},
+    Format{"a Shapefile", kLines, {{{"\0\0\x27\x0A"sv}}}, ".shp"},
+    Format{"a DXF drawing", kLines, {{{"AutoCAD Binary DXF"}}}, ".dxf"},
+    Format{"a mesh or lines (OBJ)", kLines, {}, ".obj"},
+    Format{"GeoJSON", kLines, {}, ".geojson"},
+    Format{"lines as WKT", kLines, {}, ".wkt"},
+    Format{"an SQLite database",
+           kOther,
+           {{{"SQLite format 3\0"sv}}},
+           "",
+           "name it .gpkg if it is a GeoPackage"},
+    Format{"a TIFF image",
+           kImage,
+           {{{"II*\0"sv}, {"MM\0*"sv}, {"II+\0"sv}, {"MM\0+"sv}}},
+           ".tif .tiff"},
+    Format{"a PNG image", kImage, {{{"\x89PNG"}}}, ".png"},
+    Format{"a JPEG image", kImage, {{{"\xFF\xD8\xFF"}}}, ".jpg .jpeg"},
+    Format{"a JPEG 2000 image", kImage, {{{"jP  ", 4}}}, ".jp2"},
+    Format{"a GIF image", kOther, {{{"GIF8"}}}, ".gif", kAsTiff},
+    Format{"a WebP image", kOther, {{{"WEBP", 8}}}, ".webp", kAsTiff},
+    Format{"an ECW image", kOther, {}, ".ecw", kAsTiff},
+    Format{"a BMP image", kOther, {}, ".bmp", kAsTiff},
+    Format{"HDF5", kOther, {{{"\x89HDF"}}}, "", kNotRead},
+    Format{"a ZIP archive", kOther, {{{"PK\x03\x04"}, {"PK\x05\x06"}}}, ".zip", kUnpack},
+    Format{"compressed by gzip", kOther, {{{"\x1F\x8B"}}}, ".gz", kUnpack},
+    Format{"compressed by bzip2", kOther, {{{"BZh"}}}, "", kUnpack},
+    Format{"compressed by xz",
+           kOther,
+           {{{"\xFD"
+              "7zXZ"}}},
+           "",
+           kUnpack},
+    Format{"compressed by zstd", kOther, {{{"\x28\xB5\x2F\xFD"}}}, "", kUnpack},
+    Format{"a 7z archive", kOther, {{{"7z\xBC\xAF"}}}, "", kUnpack},
+    Format{"a RAR archive", kOther, {{{"Rar!"}}}, "", kUnpack},
+    Format{"a tar archive", kOther, {{{"ustar", 257}}}, "", kUnpack},
+    Format{"a PDF", kOther, {{{"%PDF"}}}, "", kNotRead},
+    Format{"glTF, a mesh for display", kOther, {{{"glTF"}}}, ".glb .gltf", kNotRead},
+    Format{"a DWG drawing", kOther, {{{"AC10"}}}, ".dwg", kAsDxf},
+    Format{"a DGN drawing", kOther, {}, ".dgn", kAsDxf},
+    Format{"FlatGeobuf", kOther, {{{"fgb\x03"}}}, ".fgb", "save it as GeoPackage"},
+    Format{"Parquet", kOther, {{{"PAR1"}}}, "", "save it as GeoPackage"},
+    Format{"text in UTF-16", kOther, {{{"\xFF\xFE"}, {"\xFE\xFF"}}}, "", "save it in UTF-8"},
+    Format{"a building model (IFC or STEP)", kOther, {{{"ISO-10303-21"}}}, ".ifc", kNotRead},
+    Format{"an ASCII grid", kOther, {{{"ncols"}, {"NCOLS"}}}, "", "give its cells as x y z lines"},
+    Format{"a Git LFS pointer",
+           kOther,
+           {{{"version https://git-lfs"}}},
+           "",
+           "fetch the file with git lfs pull"},
+    Format{"a web page",
+           kOther,
+           {{{"<!DOCTYPE html"}, {"<!doctype html"}, {"<html"}}},
+           ".html",
+           "perhaps of a failed download"},
+    Format{"KML, whose coordinates are degrees", kOther, {}, ".kml .kmz", "project it"},
+    Format{"XML of a VRT", kOther, {}, ".vrt", "give the images that it names"},
+    Format{"XML, as of GML",
+           kOther,
+           {},
+           ".xml .gml .citygml",
+           "which is not read, save its lines as GeoPackage"},
+    Format{"a sequence of JSON texts",
+           kOther,
+           {},
+           ".geojsonl .geojsons .ndjson .jsonl",
+           "which is not read, save it as one FeatureCollection"},
+    Format{"the table of a Shapefile", kOther, {}, ".dbf", kGiveShp},
+    Format{"the index of a Shapefile", kOther, {}, ".shx", kGiveShp},
+    Format{"the reference system of a Shapefile", kOther, {}, ".prj", kGiveShp},
+    Format{"a project of QGIS", kOther, {}, ".qgz", "save its lines as GeoPackage"}};
 
-constexpr const char* kGml = "XML, as of GML";
-constexpr const char* kGmlAdvice = "which is not read, save its lines as GeoPackage";
-constexpr const char* kSequence = "a sequence of JSON texts";
-constexpr const char* kOneCollection = "which is not read, save it as one FeatureCollection";
+bool has_word(std::string_view words, std::string_view word) {
+  for (std::size_t at = words.find(word); at < words.size(); at = words.find(word, at + 1)) {
+    const std::string_view rest = words.substr(at + word.size());
+    if (rest.empty() || rest.front() == ' ') return !word.empty();
+  }
+  return false;
+}
 
-constexpr std::array kExtensions{
-    Mark{".las", kCloud, "a LAS point cloud"},
-    Mark{".laz", kCloud, "a LAZ point cloud"},
-    Mark{".pcd", kCloud, "a PCD point cloud"},
-    Mark{".xyz", kCloud, "a text point cloud"},
-    Mark{".pts", kCloud, "a text point cloud"},
-    Mark{".e57", kOther, "an E57 point cloud", "save it as LAS"},
-    Mark{".ply", kPly, "a PLY"},
-    Mark{".gpkg", kLines, "a GeoPackage"},
-    Mark{".shp", kLines, "a Shapefile"},
-    Mark{".dxf", kLines, "a DXF drawing"},
-    Mark{".obj", kLines, "a mesh or lines (OBJ)"},
-    Mark{".geojson", kLines, "GeoJSON"},
-    Mark{".wkt", kLines, "lines as WKT"},
-    Mark{".tif", kImage, "an image"},
-    Mark{".tiff", kImage, "an image"},
-    Mark{".png", kImage, "an image"},
-    Mark{".jpg", kImage, "an image"},
-    Mark{".jpeg", kImage, "an image"},
-    Mark{".jp2", kImage, "an image"},
-    Mark{".ecw", kOther, "an ECW image", kAsTiff},
-    Mark{".bmp", kOther, "a BMP image", kAsTiff},
-    Mark{".gml", kOther, kGml, kGmlAdvice},
-    Mark{".citygml", kOther, kGml, kGmlAdvice},
-    Mark{".xml", kOther, kGml, kGmlAdvice},
-    Mark{".geojsonl", kOther, kSequence, kOneCollection},
-    Mark{".geojsons", kOther, kSequence, kOneCollection},
-    Mark{".ndjson", kOther, kSequence, kOneCollection},
-    Mark{".jsonl", kOther, kSequence, kOneCollection},
-    Mark{".ifc", kOther, "a city or building model", kNotRead},
-    Mark{".kml", kOther, "KML, whose coordinates are degrees", "project it"},
-    Mark{".kmz", kOther, "KML, whose coordinates are degrees", "project it"},
-    Mark{".dwg", kOther, "a DWG drawing", "save it as DXF"},
-    Mark{".dgn", kOther, "a DGN drawing", "save it as DXF"},
-    Mark{".fgb", kOther, "FlatGeobuf", "save it as GeoPackage"},
-    Mark{".zip", kOther, "a ZIP archive", kUnpack},
-    Mark{".gz", kOther, "compressed by gzip", kUnpack},
-    Mark{".dbf", kOther, "the table of a Shapefile", "give the .shp"},
-    Mark{".shx", kOther, "the index of a Shapefile", "give the .shp"},
-    Mark{".prj", kOther, "the reference system of a Shapefile", "give the .shp"},
-    Mark{".qgz", kOther, "a project of QGIS", kAsGeoPackage},
-    Mark{".glb", kOther, "glTF, a mesh for display", kNotRead},
-    Mark{".gltf", kOther, "glTF, a mesh for display", kNotRead}};
-
-FileKind kind_of_mark(const Mark& mark) {
-  return {.group = mark.group,
-          .what = mark.what,
-          .advice = *mark.advice != '\0' ? mark.advice : advice_on(mark.group),
-          .ending = mark.ending};
+FileKind kind_of_format(const Format& format) {
+  return {.group = format.group,
+          .what = format.what,
+          .advice = *format.advice != '\0' ? format.advice : info_of(format.group).advice,
+          .ending = format.group == kLines ? format.extensions : ""};
 }
 
 }  // namespace
 
 FileKind kind_by_mark(std::string_view start) {
-  const auto* const mark = std::ranges::find_if(kMarks, [&](const Mark& known) {
-    return start.size() > known.at && start.substr(known.at).starts_with(known.text);
-  });
-  return mark == kMarks.end() ? FileKind() : kind_of_mark(*mark);
+  const auto fits = [&](const Mark& mark) {
+    return !mark.text.empty() && start.size() > mark.at &&
+           start.substr(mark.at).starts_with(mark.text);
+  };
+  const auto* const format = std::ranges::find_if(
+      kKnownFormats, [&](const Format& known) { return std::ranges::any_of(known.marks, fits); });
+  return format == kKnownFormats.end() ? FileKind() : kind_of_format(*format);
+}
+
+FileKind format_with_extension(std::string_view extension) {
+  const auto* const format = std::ranges::find_if(
+      kKnownFormats, [&](const Format& known) { return has_word(known.extensions, extension); });
+  return format == kKnownFormats.end() ? FileKind() : kind_of_format(*format);
 }
 
 FileKind kind_by_extension(std::string_view extension) {
-  const auto* const mark = std::ranges::find(kExtensions, extension, &Mark::text);
-  if (mark == kExtensions.end()) return {};
-  FileKind kind = kind_of_mark(*mark);
-  kind.by_name = true;
+  FileKind kind = format_with_extension(extension);
+  kind.by_name = kind.is_known();
   return kind;
 }
 

@@ -11,7 +11,11 @@ namespace ridgeline::io {
 /// mark. `start` must not begin with a byte order mark of UTF-8.
 FileKind kind_by_mark(std::string_view start);
 
-/// What files with such an extension (".gml", lower case) hold; kUnknown if that is not known.
+/// The format of files with such an extension (".gml", lower case), where the content agrees;
+/// kUnknown if there is none.
+FileKind format_with_extension(std::string_view extension);
+
+/// What files with such an extension hold, by the name alone.
 FileKind kind_by_extension(std::string_view extension);
 
 }  // namespace ridgeline::io

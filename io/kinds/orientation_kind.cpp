@@ -5,8 +5,10 @@
 #include "io/text/text.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ridgeline::io {
@@ -100,24 +102,18 @@ std::optional<OrientationFormat> orientation_format(std::string_view start) {
 }
 
 const char* what_is(OrientationFormat format) {
-  switch (format) {
-    case OrientationFormat::kOpensfm:
-      return "an orientation of images (OpenSfM)";
-    case OrientationFormat::kPix4d:
-      return "an orientation of images (Pix4D)";
-    case OrientationFormat::kInpho:
-      return "an orientation of images (Inpho project)";
-    case OrientationFormat::kPatB:
-      return "an orientation of images (PAT-B)";
-    case OrientationFormat::kBlocksExchange:
-      return "an orientation of images (BlocksExchange)";
-    case OrientationFormat::kMetashape:
-      return "an orientation of images (Metashape)";
-    case OrientationFormat::kRollPitchYaw:
-      return "a table of roll, pitch and yaw";
-    default:
-      return "an orientation of images (omega, phi, kappa)";
-  }
+  using enum OrientationFormat;
+  static constexpr std::array kNames{
+      std::pair{kOpkTable, "an orientation of images (omega, phi, kappa)"},
+      std::pair{kRollPitchYaw, "a table of roll, pitch and yaw"},
+      std::pair{kOpensfm, "an orientation of images (OpenSfM)"},
+      std::pair{kPix4d, "an orientation of images (Pix4D)"},
+      std::pair{kInpho, "an orientation of images (Inpho project)"},
+      std::pair{kPatB, "an orientation of images (PAT-B)"},
+      std::pair{kBlocksExchange, "an orientation of images (BlocksExchange)"},
+      std::pair{kMetashape, "an orientation of images (Metashape)"}};
+  return std::ranges::find(kNames, format, &std::pair<OrientationFormat, const char*>::first)
+      ->second;
 }
 
 }  // namespace ridgeline::io

@@ -7,6 +7,7 @@
 #include "io/kinds/text_kind.h"
 #include "io/text/gzip.h"
 #include "io/text/text.h"
+#include "io/text/utf8.h"
 
 #include <fmt/format.h>
 
@@ -41,7 +42,7 @@ FileKind kind_of_ply(std::string_view start) {
   const char* const what = holds(header, "element edge")   ? "lines (PLY)"
                            : holds(header, "element face") ? "a mesh (PLY)"
                                                            : "a PLY point cloud";
-  return {.group = kPly, .what = what, .advice = advice_on(kPly), .ending = ".ply"};
+  return {.group = kPly, .what = what, .advice = info_of(kPly).advice, .ending = ".ply"};
 }
 
 bool is_laz(std::string_view start) {
@@ -69,81 +70,7 @@ FileKind kind_by_bytes(std::string_view start) {
 FileKind with_name(const FileKind& kind, std::string_view extension) {
   constexpr std::array kExact{".shx", ".geojsonl", ".geojsons", ".ndjson", ".jsonl"};
   const bool is_exact = std::ranges::find(kExact, extension) != kExact.end();
-  if (kind.group != kLines || !is_exact) return kind;
-  FileKind named = kind_by_extension(extension);
-  named.by_name = false;
-  return named;
-}
-
-struct Reader {
-  Expected expected;
-  std::array<FileGroup, 5> groups;
-  const char* takes;
-  const char* rule;
-};
-
-// Numbers without names of columns are left to the readers of tables, which name the missing
-// column.
-constexpr std::array kReaders{
-    Reader{
-        Expected::kLines,
-        {kLines, kPly, kNumbers, kLineFolder, kModel},
-        "a file of 3D lines",
-        "lines are read from GeoJSON, GeoPackage, Shapefile, DXF, CSV, WKT, OBJ, PLY, CityJSON and "
-        "CityGML"},
-    Reader{Expected::kCloud,
-           {kCloud, kPly, kNumbers},
-           "a point cloud",
-           "point clouds are read from LAS, LAZ, COPC, PCD, PLY and x y z text"},
-    Reader{Expected::kImage,
-           {kImage},
-           "an image",
-           "images are read from TIFF, PNG, JPEG and JPEG 2000"},
-    Reader{Expected::kPatch,
-           {kPatch},
-           "a patch file (patch.yaml)",
-           "a patch file (patch.yaml) is expected"},
-    Reader{Expected::kBlock,
-           {kBlock},
-           "a block file (block.yaml)",
-           "a block file (block.yaml) is expected"},
-    Reader{Expected::kGates,
-           {kGates},
-           "a gates file",
-           "a gates file is expected, as gate --init prints it"},
-    Reader{Expected::kConfig,
-           {kConfig},
-           "a config file",
-           "a config file is expected, as ridgeline config prints it"},
-    Reader{Expected::kMatches,
-           {kMatches, kNumbers},
-           "a table of matches (matches.csv)",
-           "a table of matches (matches.csv) is expected"},
-    Reader{Expected::kReferenceMatches,
-           {kMatches, kReferenceMatches, kNumbers},
-           "a table of reference matches",
-           "a table of reference matches is expected"},
-    Reader{Expected::kReferenceTracks,
-           {kReferenceTracks, kNumbers},
-           "a table of reference tracks",
-           "a table of reference tracks is expected"},
-    Reader{Expected::kSegments,
-           {kSegments, kNumbers},
-           "a table of segments (segments.IMAGE.csv)",
-           "a table of segments (segments.IMAGE.csv) is expected"},
-    Reader{Expected::kOrientation,
-           {kOrientation, kNumbers},
-           "an orientation of images",
-           "an orientation is read from a table of omega, phi and kappa, OpenSfM, Pix4D, Inpho, "
-           "PAT-B, "
-           "BlocksExchange, Metashape's XML and COLMAP"},
-    Reader{Expected::kResults,
-           {kResultFolder},
-           "a folder of results",
-           "the --out of run, demo or evaluate is expected"}};
-
-const Reader& reader_of(Expected expected) {
-  return *std::ranges::find(kReaders, expected, &Reader::expected);
+  return kind.group == kLines && is_exact ? format_with_extension(extension) : kind;
 }
 
 /// The ending that stands for all endings of the same reader, which tells by the content what is in
@@ -163,11 +90,11 @@ void refuse_wrong_ending(const std::string& path, const FileKind& kind) {
                                   kind.ending));
 }
 
-void refuse_kind(const std::string& path, const FileKind& kind, Expected expected) {
-  const std::array<FileGroup, 5>& groups = reader_of(expected).groups;
-  const bool is_taken = std::ranges::find(groups, kind.group) != groups.end();
+void refuse_kind(const std::string& path, const FileKind& kind, FileGroup expected) {
+  const auto& also = info_of(expected).also;
+  const bool is_taken = kind.group == expected || std::ranges::count(also, kind.group) > 0;
   if (kind.is_known() && !is_taken) throw IoError(path, refusal(kind, expected));
-  if (expected == Expected::kLines && kind.group != kModel) refuse_wrong_ending(path, kind);
+  if (expected == kLines && kind.group != kModel) refuse_wrong_ending(path, kind);
 }
 
 /// Models of buildings are read compressed, too.
@@ -191,9 +118,8 @@ std::string beginning_of(const std::string& path) {
 
 FileKind kind_of_content(std::string_view content, const std::string& path) {
   if (content.empty()) return {.group = kEmpty, .what = "an empty file"};
-  std::string_view start = content.substr(0, kTelling_bytes);
+  const std::string_view start = without_byte_order_mark(content.substr(0, kTelling_bytes));
   const bool is_whole = content.size() < kTelling_bytes;
-  if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
   const std::string extension = extension_in(path);
   if (is_gzip(start)) return kind_in_gzip(start);
   if (const FileKind kind = kind_by_bytes(start); kind.is_known())
@@ -214,21 +140,22 @@ FileKind kind_of_path(const std::string& path) {
   return kind_of_content(beginning_of(path), path);
 }
 
-std::string refusal(const FileKind& kind, Expected expected) {
-  const Reader& reader = reader_of(expected);
+std::string refusal(const FileKind& kind, FileGroup expected) {
+  const GroupInfo& reader = info_of(expected);
   if (kind.by_name || kind.group == kOther || kind.group == kFolder) {
     const std::string advice = kind.advice.empty() ? "" : ", " + kind.advice;
-    return fmt::format("is {}{}{}; {}", kind.by_name ? "named as " : "", kind.what, advice,
-                       reader.rule);
+    const std::string rule =
+        *reader.rule != '\0' ? reader.rule : std::string(reader.takes) + " is expected";
+    return fmt::format("is {}{}{}; {}", kind.by_name ? "named as " : "", kind.what, advice, rule);
   }
   return fmt::format("is {}, not {}; {}", kind.what, reader.takes, kind.advice);
 }
 
-void refuse_other_kind(const std::string& path, std::string_view content, Expected expected) {
+void refuse_other_kind(const std::string& path, std::string_view content, FileGroup expected) {
   refuse_kind(path, kind_of_content(content, path), expected);
 }
 
-void refuse_other_kind(const std::string& path, Expected expected) {
+void refuse_other_kind(const std::string& path, FileGroup expected) {
   refuse_kind(path, kind_of_path(path), expected);
 }
 

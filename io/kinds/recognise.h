@@ -4,28 +4,10 @@
 #include "io/kinds/file_kind.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace ridgeline::io {
-
-/// The kind of input that a reader takes.
-enum class Expected : std::uint8_t {
-  kLines,
-  kCloud,
-  kImage,
-  kPatch,
-  kBlock,
-  kGates,
-  kConfig,
-  kMatches,
-  kReferenceMatches,
-  kReferenceTracks,
-  kSegments,
-  kOrientation,
-  kResults
-};
 
 /// This many bytes of a file tell what it is, comments at its head included.
 inline constexpr std::size_t kTelling_bytes = 16384;
@@ -39,15 +21,14 @@ FileKind kind_of_content(std::string_view content, const std::string& path);
 FileKind kind_of_path(const std::string& path);
 
 /// The text of the IoError for such a file: "is a LAS point cloud, not a patch file (patch.yaml);
-/// give it as
-/// --cloud".
-std::string refusal(const FileKind& kind, Expected expected);
+/// give it as `cloud`".
+std::string refusal(const FileKind& kind, FileGroup expected);
 
 /// Throws IoError if the content is known to be of another kind than is expected. What is unknown
 /// or empty is left to its reader, which knows the rule that it breaks.
-void refuse_other_kind(const std::string& path, std::string_view content, Expected expected);
+void refuse_other_kind(const std::string& path, std::string_view content, FileGroup expected);
 /// Throws IoError if a file or folder is known to be of another kind than is expected. No more than
 /// its beginning is read.
-void refuse_other_kind(const std::string& path, Expected expected);
+void refuse_other_kind(const std::string& path, FileGroup expected);
 
 }  // namespace ridgeline::io

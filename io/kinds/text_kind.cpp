@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/kinds/text_kind.h"
 
+#include "io/kinds/marks.h"
 #include "io/kinds/orientation_kind.h"
 #include "io/text/text.h"
 #include "io/text/wkt.h"
 
 #include <algorithm>
 #include <array>
-#include <initializer_list>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,91 +18,110 @@ namespace {
 
 using enum FileGroup;
 
-FileKind ours(FileGroup group, const char* what, const char* ending = "") {
-  return {.group = group, .what = what, .advice = advice_on(group), .ending = ending};
+constexpr const char* kGeoJson = "GeoJSON";
+constexpr const char* kWkt = "lines as WKT";
+constexpr const char* kCityJson = "a model of buildings (CityJSON)";
+constexpr const char* kUnread = "which is not read";
+constexpr const char* kAsGeoJson = "save it as GeoJSON";
+constexpr const char* kGeoJsonTypes =
+    "FeatureCollection Feature Point MultiPoint LineString MultiLineString Polygon MultiPolygon "
+    "GeometryCollection";
+
+/// A kind of document or table by the names in it.
+struct Known {
+  const char* what;
+  FileGroup group;
+  const char* names;        ///< of keys or columns, as words: all of these
+  const char* advice = "";  ///< where it is not that of the group
+  const char* ending = "";
+};
+
+/// Documents by the value of their outermost key `type`, of which one is named.
+constexpr std::array kDocumentTypes{
+    Known{kGeoJson, kLines, kGeoJsonTypes, "", ".geojson"},
+    Known{"a feature of CityJSON", kOther, "CityJSONFeature",
+          "give the whole file, which begins with \"CityJSON\""},
+    Known{kCityJson, kModel, "CityJSON CityJSONExtension", "", ".city.json"},
+    Known{"TopoJSON", kOther, "Topology", kAsGeoJson}};
+
+/// Documents by their outermost keys, the first that has all.
+constexpr std::array kDocuments{
+    Known{kCityJson, kModel, "CityObjects", "", ".city.json"},
+    Known{"glTF, a mesh for display", kOther, "asset meshes", kUnread},
+    Known{"glTF, a mesh for display", kOther, "asset scenes", kUnread},
+    Known{"JSON of Esri", kOther, "geometryType", kAsGeoJson},
+    Known{"JSON of Esri", kOther, "spatialReference", kAsGeoJson},
+    // the type may stand behind the features, where it is not read
+    Known{kGeoJson, kLines, "features", "", ".geojson"},
+    Known{"an evaluation of lines (evaluation.METHOD.json)", kEvaluation, "patch method origin_m"},
+    Known{"the record of a run (run.json)", kResult, "command versions"},
+    Known{"a report of gates", kOther, "passed gates", kUnread},
+    Known{"a comparison of results", kOther, "comparisons", kUnread},
+    Known{"a table of results", kResult, "rows"},
+    Known{"a list of lines to judge", kOther, "lines lidar",
+          "judge them by evaluate with `area`, and pool the results"},
+    Known{"a block file", kBlock, "block"}};
+
+/// Files that users write: the kind of which a file has the most keys, as single keys may be wrong.
+constexpr std::array kSettings{
+    Known{"a patch file", kPatch,
+          "images colmap height_range lidar reference_matches reference_tracks reference_lines"},
+    Known{"a gates file", kGates, "gates"},
+    Known{"a config file", kConfig, "extract match chio reconstruct judge"}};
+
+/// Tables by the names of their columns, the first that has all.
+constexpr std::array kTables{
+    Known{"a CSV of 3D lines", kLines, "x1 y1 z1 x2 y2 z2", "", ".csv"},
+    Known{kWkt, kLines, "wkt", "", ".wkt"},
+    Known{"a table of matches", kMatches, "left_id right_id"},
+    Known{"a table of reference matches", kReferenceMatches, "left_x1_px right_x1_px"},
+    Known{"a table of reference tracks", kReferenceTracks, "edge image x1_px y1_px x2_px y2_px"},
+    Known{"a table of tracks", kResult, "track image segment"},
+    Known{"a table of segments", kSegments, "x1_px y1_px x2_px y2_px"},
+    Known{"a table of unmatched segments", kResult, "left_id reason"},
+    Known{"a table of judged lines", kResult, "patch class status start_distance_m"},
+    Known{"a table of results", kResult, "patch method"},
+    Known{"a table of results", kResult, "patch matcher"}};
+
+FileKind kind_of(const Known& known) {
+  return {.group = known.group,
+          .what = known.what,
+          .advice = *known.advice != '\0' ? known.advice : info_of(known.group).advice,
+          .ending = known.ending};
 }
 
-FileKind not_read(const char* what, const char* advice = "which is not read") {
-  return {.group = kOther, .what = what, .advice = advice};
+/// The first kind all names of which are there; kUnknown if there is none.
+FileKind first_of(std::span<const Known> table, std::span<const std::string> names) {
+  const auto fits = [&](const Known& known) {
+    return std::ranges::all_of(words_of(known.names), [&](std::string_view name) {
+      return std::ranges::find(names, name) != names.end();
+    });
+  };
+  const auto found = std::ranges::find_if(table, fits);
+  return found == table.end() ? FileKind() : kind_of(*found);
 }
 
-FileKind city_json() { return ours(kModel, "a model of buildings (CityJSON)", ".city.json"); }
+FileKind kind_of_settings(const TopKeys& keys) {
+  std::array<std::ptrdiff_t, kSettings.size()> counts{};
+  std::ranges::transform(kSettings, counts.begin(), [&](const Known& known) {
+    return std::ranges::count_if(words_of(known.names),
+                                 [&](std::string_view name) { return keys.has(name); });
+  });
+  const auto* const most = std::ranges::max_element(counts);
+  if (*most == 0 || std::ranges::count(counts, *most) > 1) return {};
+  return kind_of(kSettings.at(static_cast<std::size_t>(most - counts.begin())));
+}
 
 bool mentions(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-constexpr std::array kGeoJsonTypes{"FeatureCollection", "Feature",      "Point",
-                                   "MultiPoint",        "LineString",   "MultiLineString",
-                                   "Polygon",           "MultiPolygon", "GeometryCollection"};
-
-/// The kind of a document in a format of exchange between programs; kUnknown for any other.
-FileKind kind_of_interchange(const TopKeys& keys) {
-  if (std::ranges::find(kGeoJsonTypes, keys.type) != kGeoJsonTypes.end()) {
-    return ours(kLines, "GeoJSON", ".geojson");
-  }
-  if (keys.type == "CityJSONFeature") {
-    return not_read("a feature of CityJSON", "give the whole file, which begins with \"CityJSON\"");
-  }
-  if (keys.type.starts_with("CityJSON") || keys.has("CityObjects")) {
-    return city_json();
-  }
-  if (keys.type == "Topology") return not_read("TopoJSON", "save it as GeoJSON");
-  if (keys.has("asset") && (keys.has("meshes") || keys.has("scenes"))) {
-    return not_read("glTF, a mesh for display");
-  }
-  if (keys.has("geometryType") || keys.has("spatialReference")) {
-    return not_read("JSON of Esri", "save it as GeoJSON");
-  }
-  // The type may stand behind the features, where it is not read.
-  return keys.has("features") ? ours(kLines, "GeoJSON", ".geojson") : FileKind();
-}
-
-FileKind kind_of_result(const TopKeys& keys) {
-  if (keys.has("patch") && keys.has("method") && keys.has("origin_m")) {
-    return ours(kEvaluation, "an evaluation of lines (evaluation.METHOD.json)");
-  }
-  if (keys.has("command") && keys.has("versions")) {
-    return ours(kResult, "the record of a run (run.json)");
-  }
-  if (keys.has("passed") && keys.has("gates")) return not_read("a report of gates");
-  if (keys.has("comparisons")) return not_read("a comparison of results");
-  if (!keys.names.empty() && keys.names.front() == "rows") {
-    return ours(kResult, "a table of results");
-  }
-  return {};
-}
-
-/// The kind of a file that users write: the one of which it has the most keys, as single keys may
-/// be wrong.
-FileKind kind_of_settings(const TopKeys& keys) {
-  if (keys.has("lines") && keys.has("lidar"))
-    return not_read("a list of lines to judge", "judge them by evaluate --area and pool");
-  if (keys.has("block")) return ours(kBlock, "a block file");
-  const auto count = [&](std::initializer_list<const char*> known) {
-    return std::ranges::count_if(known, [&](const char* name) { return keys.has(name); });
-  };
-  const std::array counts{count({"images", "colmap", "height_range", "lidar", "reference_matches",
-                                 "reference_tracks", "reference_lines"}),
-                          count({"gates"}),
-                          count({"extract", "match", "chio", "reconstruct", "judge"})};
-  const std::array kinds{ours(kPatch, "a patch file"), ours(kGates, "a gates file"),
-                         ours(kConfig, "a config file")};
-  const auto* const most = std::ranges::max_element(counts);
-  if (*most == 0 || std::ranges::count(counts, *most) > 1) return {};
-  return kinds[static_cast<std::size_t>(most - counts.begin())];
-}
-
 FileKind kind_of_xml(std::string_view start) {
-  const auto holds = [&](std::string_view part) {
-    return start.find(part) != std::string_view::npos;
-  };
-  if (holds("<kml")) return not_read("KML, whose coordinates are degrees", "project it");
-  if (holds("<VRTDataset")) return not_read("XML of a VRT", "give the images that it names");
-  if (holds("<html")) return not_read("a web page", "perhaps of a failed download");
-  constexpr const char* kAdvice = "which is not read, save its lines as GeoPackage";
-  if (holds("CityModel")) return ours(kModel, "a model of buildings (CityGML)", ".gml");
-  return not_read("XML, as of GML", kAdvice);
+  if (mentions(start, "<kml")) return format_with_extension(".kml");
+  if (mentions(start, "<VRTDataset")) return format_with_extension(".vrt");
+  if (mentions(start, "<html")) return format_with_extension(".html");
+  if (!mentions(start, "CityModel")) return format_with_extension(".xml");
+  return kind_of({"a model of buildings (CityGML)", kModel, "", "", ".gml"});
 }
 
 /// The fields of a row in lower case, without quotes, whatever divides them.
@@ -114,34 +134,6 @@ std::vector<std::string> fields_of_any(std::string_view row) {
   }
   if (fields.back().empty()) fields.pop_back();
   return fields;
-}
-
-/// The kind of a table by the names of its columns.
-FileKind kind_of_table(const std::vector<std::string>& names) {
-  const auto has = [&](std::initializer_list<const char*> wanted) {
-    return std::ranges::all_of(
-        wanted, [&](const char* name) { return std::ranges::find(names, name) != names.end(); });
-  };
-  if (has({"x1", "y1", "z1", "x2", "y2", "z2"})) return ours(kLines, "a CSV of 3D lines", ".csv");
-  if (has({"wkt"})) return ours(kLines, "lines as WKT", ".wkt");
-  if (has({"left_id", "right_id"})) return ours(kMatches, "a table of matches");
-  if (has({"left_x1_px", "right_x1_px"})) {
-    return ours(kReferenceMatches, "a table of reference matches");
-  }
-  if (has({"edge", "image", "x1_px", "y1_px", "x2_px", "y2_px"})) {
-    return ours(kReferenceTracks, "a table of reference tracks");
-  }
-  if (has({"track", "image", "segment"})) return ours(kResult, "a table of tracks");
-  if (has({"x1_px", "y1_px", "x2_px", "y2_px"})) return ours(kSegments, "a table of segments");
-  if (has({"left_id", "reason"})) return ours(kResult, "a table of unmatched segments");
-  if (has({"patch", "class", "status", "start_distance_m"})) {
-    return ours(kResult, "a table of judged lines");
-  }
-  const bool is_by_patch = names.size() > 2 && names[0] == "patch";
-  if (is_by_patch && (names[1] == "method" || names[1] == "matcher")) {
-    return ours(kResult, "a table of results");
-  }
-  return {};
 }
 
 bool is_numbers(const std::vector<std::string>& fields) {
@@ -159,28 +151,27 @@ bool holds_wkt(const TextRow& row) {
 /// The kind of a text by its rows that are no comments.
 FileKind kind_of_rows(std::span<const TextRow> rows) {
   if (std::ranges::any_of(rows.first(std::min<std::size_t>(rows.size(), 2)), holds_wkt)) {
-    return ours(kLines, "lines as WKT", ".wkt");
+    return kind_of({kWkt, kLines, "", "", ".wkt"});
   }
   if (rows.size() > 1 && rows[0].text == "0" && rows[1].text == "SECTION") {
-    return ours(kLines, "a DXF drawing", ".dxf");
+    return format_with_extension(".dxf");
   }
   const std::vector<std::string> first = fields_of_any(rows[0].text);
-  if (FileKind kind = kind_of_table(first); kind.is_known()) return kind;
+  if (FileKind kind = first_of(kTables, first); kind.is_known()) return kind;
   if (rows[0].text.starts_with("v ") || rows[0].text.starts_with("mtllib ")) {
-    return ours(kLines, "a mesh or lines (OBJ)", ".obj");
+    return format_with_extension(".obj");
   }
   // the first row may name the columns or count the points
   if (is_numbers(rows.size() > 1 ? fields_of_any(rows[1].text) : first)) {
-    return ours(kNumbers, "text of numbers, as of a point cloud or lines");
+    return kind_of({"text of numbers, as of a point cloud or lines", kNumbers, ""});
   }
   return {};
 }
 
 FileKind kind_of_orientation(OrientationFormat format) {
-  if (format == OrientationFormat::kRollPitchYaw) {
-    return not_read(what_is(format), "give omega, phi and kappa");
-  }
-  return ours(kOrientation, what_is(format));
+  const bool is_refused = format == OrientationFormat::kRollPitchYaw;
+  return is_refused ? kind_of({what_is(format), kOther, "", "give omega, phi and kappa"})
+                    : kind_of({what_is(format), kOrientation, ""});
 }
 
 bool is_aside(const TextRow& row) {
@@ -190,10 +181,12 @@ bool is_aside(const TextRow& row) {
 }  // namespace
 
 FileKind kind_of_document(const TopKeys& keys) {
-  for (const auto kind_of : {kind_of_interchange, kind_of_result, kind_of_settings}) {
-    if (FileKind kind = kind_of(keys); kind.is_known()) return kind;
-  }
-  return {};
+  const auto of_type = std::ranges::find_if(kDocumentTypes, [&](const Known& known) {
+    return std::ranges::count(words_of(known.names), keys.type) > 0;
+  });
+  if (of_type != kDocumentTypes.end()) return kind_of(*of_type);
+  const FileKind kind = first_of(kDocuments, keys.names);
+  return kind.is_known() ? kind : kind_of_settings(keys);
 }
 
 FileKind kind_of_text(std::string_view start, bool is_whole) {
@@ -201,7 +194,8 @@ FileKind kind_of_text(std::string_view start, bool is_whole) {
   if (const auto format = orientation_format(start)) return kind_of_orientation(*format);
   if (!rows.empty() && rows.front().text.starts_with('<')) return kind_of_xml(start);
   // The keys of a sequence would be those of its last document.
-  if (mentions(start, "\"CityJSON\"") && mentions(start, "\"CityJSONFeature\"")) return city_json();
+  if (mentions(start, "\"CityJSON\"") && mentions(start, "\"CityJSONFeature\""))
+    return kind_of(kDocuments.front());
   if (FileKind kind = kind_of_document(top_keys(start)); kind.is_known()) return kind;
   const bool is_json =
       !rows.empty() && (rows.front().text.starts_with('{') || rows.front().text.starts_with('['));

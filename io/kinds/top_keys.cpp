@@ -83,21 +83,33 @@ bool begins_a_key(std::string_view row) {
                           std::string_view("_\"'").find(row.front()) != std::string_view::npos);
 }
 
-/// The keys of YAML in block style: `key:` at the very beginning of a row.
+/// Whether a row is `key:` or `key: value`, without blanks before the colon.
+bool is_key(std::string_view row) {
+  const std::size_t colon = row.find(':');
+  if (!begins_a_key(row) || colon == std::string_view::npos) return false;
+  const std::string_view value = row.substr(colon + 1);
+  return row.find(' ') > colon && (trimmed(value).empty() || value.front() == ' ');
+}
+
+/// The keys of YAML in block style: `key:` at the very beginning of a row. None of a text that is
+/// prose with examples: more of its rows are no keys.
 TopKeys block_keys(std::string_view text) {
   TopKeys found;
+  std::size_t n_prose = 0;
   while (!text.empty()) {
     const std::string_view row = take_row(text);
+    if (!is_key(row)) {
+      n_prose += begins_a_key(row) ? 1 : 0;
+      continue;
+    }
     const std::size_t colon = row.find(':');
-    if (!begins_a_key(row) || colon == std::string_view::npos) continue;
     const std::string_view value = row.substr(colon + 1);
-    if (!trimmed(value).empty() && value.front() != ' ') continue;
-    std::string name(trimmed(row.substr(0, colon)));
+    std::string name(row.substr(0, colon));
     std::erase_if(name, [](char c) { return c == '"' || c == '\''; });
     if (name == "type") found.type = trimmed(value);
     found.names.push_back(std::move(name));
   }
-  return found;
+  return n_prose > found.names.size() ? TopKeys() : found;
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ class GeoJsonReader {
 
   LineSet read(const json& document) {
     const FileKind kind = kind_of_document(keys_of(document));
-    if (kind.group == FileGroup::kOther) throw IoError(path_, refusal(kind, Expected::kLines));
+    if (kind.group == FileGroup::kOther) throw IoError(path_, refusal(kind, FileGroup::kLines));
     const std::string type = type_of(document);
     read_crs(document);
     if (type == "FeatureCollection") {

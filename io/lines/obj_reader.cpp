@@ -204,7 +204,7 @@ LineSet read_obj(const std::string& path, std::string_view content, bool vertex_
     append_mesh(mesh, set);
   } else if (!obj.vertices.empty()) {
     throw IoError(path,
-                  "has vertices but no l and no f records; --pairs takes vertices two by two");
+                  "has vertices but no l and no f records; `pairs` takes vertices two by two");
   }
   return set;
 }

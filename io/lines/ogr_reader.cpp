@@ -330,7 +330,7 @@ class OgrReader {
 LineSet read_ogr(const std::string& path, std::string_view extension, const std::string& lod) {
   require_regular_file(path);
   if (std::filesystem::file_size(path) == 0) throw IoError(path, "is empty");
-  refuse_other_kind(path, Expected::kLines);
+  refuse_other_kind(path, FileGroup::kLines);
   if (extension == ".shp") refuse_flat_shapefile(path);
   register_gdal_drivers();
   CPLErrorReset();

@@ -67,11 +67,10 @@ LineSet read_text(const std::string& path, const std::string& content) {
 LineSet read_text_file(const std::string& path,
                        const std::string& extension,
                        const ReadLinesOptions& options) {
-  std::string content = read_input(path, Expected::kLines);
+  std::string content = read_input(path, FileGroup::kLines);
   const bool is_text = extension != ".ply" && extension != ".obj";
   const bool is_recoded = is_text && !is_utf8(content);
   if (is_recoded) content = as_utf8(content);
-  if (content.starts_with("\xEF\xBB\xBF")) content.erase(0, 3);
   LineSet set = extension == ".obj"   ? read_obj(path, content, options.vertex_pairs)
                 : extension == ".ply" ? read_ply(path, content)
                 : extension == ".geojson" || extension == ".json" ? read_geojson(path, content)
@@ -83,7 +82,7 @@ LineSet read_text_file(const std::string& path,
 [[noreturn]] void refuse_by_extension(const std::string& path, const std::string& extension) {
   require_regular_file(path);
   const FileKind kind = kind_of_path(path);
-  if (!kind.by_name) refuse_other_kind(path, Expected::kLines);
+  if (!kind.by_name) refuse_other_kind(path, FileGroup::kLines);
   const std::string named = kind.what.empty() ? "" : ": " + kind.what;
   throw IoError(path, fmt::format("extension '{}'{}; lines are read from {}", extension, named,
                                   kKnownExtensions));

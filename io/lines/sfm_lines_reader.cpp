@@ -105,7 +105,7 @@ std::vector<int> images_per_line(const std::filesystem::path& space_lines) {
 
 [[noreturn]] void refuse_folder_of_others(const std::string& path) {
   const FileKind kind = kind_of_folder(path);
-  if (kind.group != FileGroup::kFolder) throw IoError(path, refusal(kind, Expected::kLines));
+  if (kind.group != FileGroup::kFolder) throw IoError(path, refusal(kind, FileGroup::kLines));
   const std::string advice = kind.advice.empty() ? "" : "; " + kind.advice;
   throw IoError(path, fmt::format("is {}, without LIMAP's track_K.txt{}", kind.what, advice));
 }

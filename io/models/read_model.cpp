@@ -6,6 +6,7 @@
 #include "io/kinds/recognise.h"
 #include "io/models/readers.h"
 #include "io/text/gzip.h"
+#include "io/text/utf8.h"
 
 #include <fmt/format.h>
 
@@ -36,7 +37,7 @@ void require_faces(const BuildingModel& model, const ReadModelOptions& options) 
 }  // namespace
 
 std::string text_of_model(const std::string& path) {
-  std::string text = read_input(path, Expected::kLines);
+  std::string text = read_input(path, FileGroup::kLines);
   if (is_gzip(text)) {
     Inflated all = inflated(text, kMaxInflated_bytes);
     if (!all.is_whole)
@@ -45,7 +46,7 @@ std::string text_of_model(const std::string& path) {
                               : "is compressed by gzip and holds more than 4 GiB");
     text = std::move(all.text);
   }
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  text.erase(0, text.size() - without_byte_order_mark(text).size());
   return text;
 }
 

@@ -35,7 +35,6 @@ std::string read_orientation_text(const std::string& path, std::uint64_t most_by
                               "of another kind",
                               at));
   }
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   return text;
 }
 

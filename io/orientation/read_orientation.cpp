@@ -8,6 +8,7 @@
 #include "io/orientation/readers.h"
 #include "io/text/table_row.h"
 #include "io/text/text.h"
+#include "io/text/utf8.h"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -20,13 +21,6 @@
 namespace ridgeline::io {
 namespace fs = std::filesystem;
 namespace {
-
-/// The beginning of a file without the byte order mark of UTF-8.
-std::string text_at_beginning(const std::string& path) {
-  std::string start = beginning_of(path);
-  if (start.starts_with("\xEF\xBB\xBF")) start.erase(0, 3);
-  return start;
-}
 
 /// Whether the first row is of numbers alone and long enough for a table whose images have numbers
 /// for names.
@@ -41,11 +35,12 @@ bool is_numbered_table(std::string_view start) {
 
 OrientationFormat format_of(const std::string& path) {
   require_regular_file(path);
-  const std::string start = text_at_beginning(path);
+  const std::string bytes = beginning_of(path);
+  const std::string_view start = without_byte_order_mark(bytes);
   if (start.empty()) throw IoError(path, "is empty");
   if (const auto format = orientation_format(start)) return *format;
   if (is_numbered_table(start)) return OrientationFormat::kOpkTable;
-  refuse_other_kind(path, start, Expected::kOrientation);
+  refuse_other_kind(path, start, FileGroup::kOrientation);
   throw IoError(path,
                 "is no orientation that is known: a table of omega, phi and kappa, OpenSfM, Pix4D, "
                 "Inpho, PAT-B, BlocksExchange, Metashape's XML or a COLMAP folder");

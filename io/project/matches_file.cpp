@@ -95,7 +95,7 @@ void write_matches(const std::string& path, std::span<const Correspondence> matc
 }
 
 std::vector<Correspondence> read_matches(const std::string& path) {
-  const CsvTable table(path, Expected::kMatches);
+  const CsvTable table(path, FileGroup::kMatches);
   std::vector<Correspondence> matches = pairs_of(table);
   for (std::size_t row = 0; row < matches.size(); ++row) {
     if (table.has("score")) matches[row].score = table.number(row, table.column("score"));
@@ -106,7 +106,7 @@ std::vector<Correspondence> read_matches(const std::string& path) {
 }
 
 ReferenceMatches read_reference_matches(const std::string& path) {
-  const CsvTable table(path, Expected::kReferenceMatches);
+  const CsvTable table(path, FileGroup::kReferenceMatches);
   if (table.has("left_id")) return pairs_of(table);
   return edges_of(table);
 }

@@ -67,7 +67,7 @@ class PatchReader {
         folder_(std::filesystem::path(path).parent_path()),
         kind_(kind),
         map_(path,
-             load_yaml(path, is_block() ? Expected::kBlock : Expected::kPatch),
+             load_yaml(path, is_block() ? FileGroup::kBlock : FileGroup::kPatch),
              keys_of(kind)) {}
 
   [[nodiscard]] PatchFile read(const FindPatchPoints& find) {

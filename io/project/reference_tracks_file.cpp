@@ -15,7 +15,7 @@ namespace ridgeline::io {
 std::vector<ReferenceTrack> read_reference_tracks(const std::string& path,
                                                   std::span<const std::string> images,
                                                   bool passes_over_others) {
-  const CsvTable table(path, Expected::kReferenceTracks);
+  const CsvTable table(path, FileGroup::kReferenceTracks);
   const std::size_t edge = table.column("edge");
   const std::size_t image = table.column("image");
   const std::size_t x1 = table.column("x1_px");

@@ -189,7 +189,7 @@ void write_segments(const std::string& path, const std::vector<EdgeSegment>& seg
 }
 
 std::vector<EdgeSegment> read_segments(const std::string& path) {
-  const CsvTable table(path, Expected::kSegments);
+  const CsvTable table(path, FileGroup::kSegments);
   std::vector<EdgeSegment> segments;
   segments.reserve(table.size());
   for (std::size_t row = 0; row < table.size(); ++row) {
@@ -201,7 +201,7 @@ std::vector<EdgeSegment> read_segments(const std::string& path) {
 std::vector<EdgeSegment> read_own_segments(const std::string& path,
                                            double sigma_px,
                                            const std::optional<Eigen::Vector2i>& size_px) {
-  const CsvTable table(path, Expected::kSegments);
+  const CsvTable table(path, FileGroup::kSegments);
   std::vector<EdgeSegment> segments;
   segments.reserve(table.size());
   for (std::size_t row = 0; row < table.size(); ++row)

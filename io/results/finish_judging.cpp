@@ -98,7 +98,7 @@ std::string axis_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBo
 /// A clause on a shift that all lines have; "" if there is none.
 std::string shift_hint(const std::optional<evaluate::ConstantShift>& shift) {
   if (!shift || !shift->is_significant()) return "";
-  return fmt::format("; all lie beside it by the same shift, {}{}{} (--apply-shift takes it away)",
+  return fmt::format("; all lie beside it by the same shift, {}{}{} (`apply_shift` takes it away)",
                      evaluate::shift_text(*shift),
                      shift->cause.empty() ? "" : ", likely cause: ", shift->cause);
 }
@@ -123,7 +123,7 @@ void refuse_foreign_frame(const Evaluation& evaluation,
   if (cloud_box.isEmpty()) {
     throw io::IoError(
         cloud.path(),
-        fmt::format("no point lies within --bounds; must be in the cloud's own coordinates, [{}], "
+        fmt::format("no point lies within `bounds`; must be in the cloud's own coordinates, [{}], "
                     "unit {}",
                     io::describe(cloud.crs()).name,
                     io::unit_text(cloud.unit_m().x() * cloud.plan_scale().x())));

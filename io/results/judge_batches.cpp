@@ -187,7 +187,7 @@ class BatchedJudge {
   io::PointCloud read_beyond_limit(const Batch& batch, const Surroundings& surroundings) {
     io::PointCloud near = cloud_.read(surroundings.mask());
     near.warnings.push_back(
-        fmt::format("line {}: the {} points near it take {} MiB, more than --cloud-memory-mib",
+        fmt::format("line {}: the {} points near it take {} MiB, more than `cloud_memory_mib`",
                     lines_[batch.front().set][batch.front().line].id, near.points.size(),
                     near.points.size() * kBytesPerPoint >> 20U));
     return near;

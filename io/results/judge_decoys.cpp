@@ -64,7 +64,7 @@ void check_follows_cloud(const evaluate::Evaluation& evaluation,
   const std::string problem = "the lines do not follow the cloud: " + note;
   if (options.refuse_other_places) {
     throw io::IoError(
-        path, problem + "; are they of another place? --decoys 0 judges them without this check");
+        path, problem + "; are they of another place? `decoys` 0 judges them without this check");
   }
   warnings.push_back(path + ": " + problem);
 }

@@ -25,7 +25,7 @@ namespace {
 void check_models(const std::vector<io::LineSet>& sets, const JudgeFilesOptions& options) {
   for (const io::LineSet& set : sets) {
     if (!options.needs_models || set.model) continue;
-    throw io::IoError(set.path, "is no model of buildings, which --write-attributes needs");
+    throw io::IoError(set.path, "is no model of buildings, which `write_attributes` needs");
   }
   for (const std::string& name : options.by) {
     std::vector<std::string> known;
@@ -36,7 +36,7 @@ void check_models(const std::vector<io::LineSet>& sets, const JudgeFilesOptions&
     if (std::ranges::find(known, name) != known.end()) continue;
     throw io::IoError(
         sets.front().path,
-        fmt::format("--by {}: buildings have no such attribute; {}", name,
+        fmt::format("`by` {}: buildings have no such attribute; {}", name,
                     known.empty() ? "the file is no model of buildings with attributes"
                                   : fmt::format("there are: {}", fmt::join(known, ", "))));
   }
@@ -86,7 +86,7 @@ void refuse_mismatch(std::string_view what,
   const io::CrsAgreement agreement = io::compare(crs, other);
   if (!agreement.compatible) {
     throw io::IoError(path, fmt::format("{} do not match: {}; transform one of them, or declare "
-                                        "the CRS with --assume-crs",
+                                        "the CRS with `assume_crs`",
                                         what, agreement.reason));
   }
   if (warnings != nullptr && !agreement.warning.empty()) {

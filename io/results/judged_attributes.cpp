@@ -64,7 +64,7 @@ io::BuildingModel with_figures(const io::LineSet& set,
 void check_attributes_file(const std::string& file) {
   const std::string lower = io::lower_case(file);
   check(is_json(file) || lower.ends_with(".gml") || lower.ends_with(".gpkg"),
-        "--write-attributes = ", file, ", must end in .json, .jsonl, .gml or .gpkg");
+        "`write_attributes` = ", file, ", must end in .json, .jsonl, .gml or .gpkg");
 }
 
 void write_model_with_figures(const std::string& file, const JudgedFiles& judged, std::size_t i) {

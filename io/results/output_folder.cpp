@@ -95,7 +95,7 @@ void check_output_file(const std::string& file,
                       "name");
   }
   if (!overwrite && would_be_lost(file)) {
-    throw io::IoError(file, "exists already; --overwrite replaces it");
+    throw io::IoError(file, "exists already; `overwrite` replaces it");
   }
 }
 

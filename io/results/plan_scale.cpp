@@ -93,13 +93,13 @@ void set_plan_scale(const std::vector<io::LineSet>& sets,
                     io::CloudFiles& cloud,
                     std::vector<std::string>& warnings) {
   check(!scale_to_ground || !patch,
-        "--scale-to-ground: there are cameras, which cannot be scaled; must be without --patch");
+        "`scale_to_ground`: there are cameras, which cannot be scaled; must be without `patch`");
   const io::Crs crs = common_crs(cloud, sets, patch);
   const Places places(sets);
   if (!crs.known() || places.empty()) return;
   const Eigen::Vector2d middle = places.quantile(0.5, 0.5);
   if (!scale_to_ground) {
-    const std::string remedy = patch ? "" : ", or give --scale-to-ground";
+    const std::string remedy = patch ? "" : ", or give `scale_to_ground`";
     std::string warning = io::require_true_scale(cloud.path(), crs, middle, remedy);
     if (!warning.empty()) warnings.push_back(std::move(warning));
     return;

@@ -131,7 +131,7 @@ std::vector<FoundEvaluation> read_evaluations(const fs::path& folder, bool is_fl
     const bool is_other = kind.group != io::FileGroup::kResultFolder;
     const std::string what = is_other ? ": it is " + kind.what : "";
     throw io::IoError(folder.string(),
-                      fmt::format("holds no evaluation.*.json{}; must be the --out of run, block, "
+                      fmt::format("holds no evaluation.*.json{}; must be the `out` of run, block, "
                                   "demo or evaluate",
                                   what));
   }

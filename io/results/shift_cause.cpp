@@ -36,7 +36,7 @@ std::string geoid_cause(const ConstantShift& shift, const ShiftPlace& place) {
   const bool is_large = std::abs(*height.shift_m) >= kMinGeoidShift_m;
   if (!place.crs.known()) {
     return is_large
-               ? "the geoid cannot be compared, as no reference system is stated (--assume-crs)"
+               ? "the geoid cannot be compared, as no reference system is stated (`assume_crs`)"
                : "";
   }
   const Eigen::Vector3d position =
@@ -56,7 +56,7 @@ std::string geoid_cause(const ConstantShift& shift, const ShiftPlace& place) {
   }
   if (!is_large || geoid.missing.empty()) return "";
   return fmt::format(
-      "{}PROJ lacks the grid {}; --geoid FILE names one",
+      "{}PROJ lacks the grid {}; `geoid` names one",
       geoid.height ? "" : "the geoid cannot be compared: ", fmt::join(geoid.missing, ", "));
 }
 

@@ -11,15 +11,19 @@ namespace {
 
 struct Synonyms {
   const char* name;
-  std::array<std::string_view, 9> spellings;
+  std::array<std::string_view, 11> spellings;
 };
 
 constexpr std::array kColumns{
     Synonyms{"name",
              {"filename", "name", "image", "imagename", "label", "photoid", "nom", "photo", "id"}},
-    Synonyms{"x", {"x", "e", "easting", "east", "x0", "x/easting"}},
-    Synonyms{"y", {"y", "n", "northing", "north", "y0", "y/northing"}},
-    Synonyms{"z", {"z", "h", "height", "altitude", "elevation", "z0", "alt", "z/altitude"}},
+    Synonyms{"x",
+             {"x", "e", "easting", "east", "x0", "x/easting", "point_x", "x_coord", "rechtswert"}},
+    Synonyms{"y",
+             {"y", "n", "northing", "north", "y0", "y/northing", "point_y", "y_coord", "hochwert"}},
+    Synonyms{"z",
+             {"z", "h", "height", "altitude", "elevation", "z0", "alt", "z/altitude", "point_z",
+              "z_coord", "h\xc3\xb6he"}},
     Synonyms{"omega", {"omega", "o", "w", "om"}},
     Synonyms{"phi", {"phi", "p", "ph"}},
     Synonyms{"kappa", {"kappa", "k", "kap", "ka"}},

@@ -15,9 +15,8 @@ char separator_of(std::string_view row);
 /// separator. Blanks separate in runs; a field between two other separators may be empty.
 std::vector<std::string> table_fields(std::string_view row, char separator);
 
-/// The name of a column of an orientation as this program calls it, by any of its usual names, with
-/// or without a unit
-/// ("X [m]", "Easting", "NOM", "omega_deg"): name, x, y, z, omega, phi, kappa, camera, roll, pitch,
+/// The name of a column of an orientation or a cloud as this program calls it, by any of its usual
+/// names, with or without a unit ("X [m]", "Easting", "NOM", "omega_deg"): name, x, y, z, omega, phi, kappa, camera, roll, pitch,
 /// yaw, latitude, longitude. Others are given back in lower case.
 std::string column_name(std::string_view name);
 

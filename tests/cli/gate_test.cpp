@@ -213,8 +213,8 @@ TEST_F(Gate, AnnotationsAppearOnGitHubOnly) {
 
 TEST_F(Gate, WrongGatesFileIsRefusedWithTheRule) {
   EXPECT_REFUSED(gate("{class: total, metrc: rms_m, max: 0.3}"),
-                 AllOf(HasSubstr("gates.yaml: line 1"), HasSubstr("unknown key metrc"),
-                       HasSubstr("the nearest is metric"),
+                 AllOf(HasSubstr("gates.yaml: line 1"), HasSubstr("unknown key 'metrc'"),
+                       HasSubstr("the nearest is 'metric'"),
                        HasSubstr("known keys: patch, method, class, metric")));
   EXPECT_REFUSED(gate("{metric: nope_m, max: 0.3}"),
                  AllOf(HasSubstr("gates.yaml: line 1"), HasSubstr("nope_m"),
@@ -223,7 +223,7 @@ TEST_F(Gate, WrongGatesFileIsRefusedWithTheRule) {
                  AllOf(HasSubstr("gates.yaml: line 1: min: 80"), HasSubstr("must be 0 to 1")));
   EXPECT_REFUSED(gate("{class: aligned, metric: quality, min: 0.8}"), HasSubstr("no classes"));
   EXPECT_REFUSED(gate("{decided_by: images, max: 0.3}"),
-                 AllOf(HasSubstr("gates.yaml: line 1: decided_by: images"),
+                 AllOf(HasSubstr("gates.yaml: line 1: decided_by = images"),
                        HasSubstr("must be plan_images or points_place")));
   EXPECT_REFUSED(gate("{max: [0.3]}"), HasSubstr("must be a finite number"));
   EXPECT_REFUSED(gate("{metric: rms_m}"), HasSubstr("gates.yaml"));

@@ -236,7 +236,7 @@ TEST(FigureOfShift, StandsInEveryTableOfMovedLines) {
   };
   for (const std::string& text : texts()) EXPECT_THAT(text, Not(HasSubstr("moved")));
   EXPECT_THAT(shift_messages(std::vector{evaluation}, false).at(0),
-              HasSubstr("--apply-shift judges the lines without it"));
+              HasSubstr("`apply_shift` judges the lines without it"));
   evaluation.shift->applied = true;
   for (const std::string& text : texts()) EXPECT_THAT(text, HasSubstr("moved"));
   EXPECT_THAT(texts()[0], HasSubstr("moved by x -0.300, y 0.200, z -0.450 m"));

@@ -172,7 +172,7 @@ TEST(FiguresOf, SayHowToGetAClassThatCannotExist) {
   e = with_summaries(std::move(e));
   EXPECT_TRUE(figures_of(gate_on("total"), "total", folder).at(0).value);
   EXPECT_THAT(why_missing(gate_on("aligned"), folder),
-              AllOf(HasSubstr("no class aligned, only total"), HasSubstr("evaluate --patch"),
+              AllOf(HasSubstr("no class aligned, only total"), HasSubstr("evaluate `patch`"),
                     HasSubstr("column class")));
 }
 

@@ -119,7 +119,7 @@ TEST(ApplyGates, FailsABaselineRuleWithoutBaseline) {
   gate.max_increase_over_baseline = BaselineIncrease{};
   const GateResult result = only_result(gate, results_with(0.1));
   EXPECT_EQ(result.verdict, Verdict::kMissing);
-  EXPECT_EQ(result.explanation, "no baseline is given (--baseline)");
+  EXPECT_EQ(result.explanation, "no baseline is given (`baseline`)");
 }
 
 TEST(ApplyGates, RefusesABaselineOfOtherInputs) {

@@ -5,7 +5,6 @@
 #include "io/images/image.h"
 #include "io/kinds/recognise.h"
 #include "io/lines/read_lines.h"
-#include "io/project/gates_file.h"
 #include "io/project/matches_file.h"
 #include "io/project/patch.h"
 #include "io/project/segments_file.h"
@@ -34,9 +33,9 @@ class Refusal : public testing::Test {
 TEST_F(Refusal, OfAPatchFileNamesTheKindAndWhatTakesIt) {
   EXPECT_THAT(
       patch_error("LASF\1\2"),
-      HasSubstr("file: is a LAS point cloud, not a patch file (patch.yaml); give it as --cloud"));
+      HasSubstr("file: is a LAS point cloud, not a patch file (patch.yaml); give it as `cloud`"));
   EXPECT_THAT(patch_error(kGates),
-              HasSubstr("is a gates file, not a patch file (patch.yaml); give it as --gates"));
+              HasSubstr("is a gates file, not a patch file (patch.yaml); give it as `gates`"));
   EXPECT_THAT(patch_error(kGeoJson), HasSubstr("is GeoJSON, not a patch file"));
   EXPECT_THAT(patch_error("PK\x03\x04"),
               HasSubstr("is a ZIP archive, unpack it; a patch file (patch.yaml) is expected"));
@@ -53,7 +52,7 @@ TEST_F(Refusal, LeavesTheReaderToNameLineAndRuleOfItsOwnKind) {
 TEST_F(Refusal, OfEveryReaderNamesTheKind) {
   const std::string gates = folder_.write("gates.yaml", kGates);
   EXPECT_THAT(io_error_of([&] { read_lines(gates); }),
-              HasSubstr("is a gates file, not a file of 3D lines; give it as --gates"));
+              HasSubstr("is a gates file, not a file of 3D lines; give it as `gates`"));
   const std::string as_text = folder_.write("gates.txt", kGates);
   EXPECT_THAT(io_error_of([&] { read_lines(as_text); }),
               HasSubstr("is a gates file, not a file of 3D lines"));
@@ -62,7 +61,7 @@ TEST_F(Refusal, OfEveryReaderNamesTheKind) {
   EXPECT_THAT(io_error_of([&] { read_cloud({as_text}); }),
               HasSubstr("is a gates file, not a point cloud"));
   EXPECT_THAT(io_error_of([&] { image_facts(gates); }), HasSubstr("is a gates file, not an image"));
-  EXPECT_THAT(io_error_of([&] { load_yaml(gates, Expected::kConfig); }),
+  EXPECT_THAT(io_error_of([&] { load_yaml(gates, FileGroup::kConfig); }),
               HasSubstr("is a gates file, not a config file"));
   EXPECT_THAT(io_error_of([&] { read_matches(gates); }),
               HasSubstr("is a gates file, not a table of matches"));
@@ -71,7 +70,7 @@ TEST_F(Refusal, OfEveryReaderNamesTheKind) {
   const std::string matches = folder_.write("matches.csv", kMatches);
   EXPECT_THAT(io_error_of([&] { read_segments(matches); }),
               HasSubstr("is a table of matches, not a table of segments"));
-  EXPECT_THAT(io_error_of([&] { read_gates_file(matches); }),
+  EXPECT_THAT(io_error_of([&] { load_yaml(matches, FileGroup::kGates); }),
               HasSubstr("is a table of matches, not a gates file"));
 }
 

@@ -35,5 +35,12 @@ TEST(TopKeys, OfYamlInBracesNeedNoQuotes) {
               ElementsAre("gates", "n_min"));
 }
 
+TEST(TopKeys, OfProseWithExamplesAreNone) {
+  EXPECT_THAT(
+      top_keys("# A tool\nIt reads images.\nWrite this:\n```\nimages: []\n```\nThen run it.\n")
+          .names,
+      IsEmpty());
+}
+
 }  // namespace
 }  // namespace ridgeline::io

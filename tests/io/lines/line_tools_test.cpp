@@ -78,7 +78,7 @@ TEST(ReadObj, ReadsElsrVerticesTwoByTwo) {
 
 TEST(ReadObj, AsksBeforeItPairsVertices) {
   const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\n";
-  EXPECT_THAT(tool_error_of("a.obj", obj), HasSubstr("--pairs"));
+  EXPECT_THAT(tool_error_of("a.obj", obj), HasSubstr("`pairs`"));
   EXPECT_EQ(read_tool("a.obj", obj, {.assume_crs = {}, .vertex_pairs = true}).lines.size(), 2U);
 }
 

@@ -248,7 +248,7 @@ TEST(ReadGeoJson, NamesAFileOfAnotherKind) {
   EXPECT_THAT(error_of("a.json", R"({"geometryType":"esriGeometryPolyline","features":[]})"),
               HasSubstr("Esri"));
   EXPECT_THAT(error_of("a.geojson", "LASF\1\2"),
-              HasSubstr("is a LAS point cloud, not a file of 3D lines; give it as --cloud"));
+              HasSubstr("is a LAS point cloud, not a file of 3D lines; give it as `cloud`"));
   EXPECT_THAT(error_of("a.json", "<?xml version='1.0'?><CityModel/>"), HasSubstr("is no CityGML"));
   EXPECT_THAT(error_of("a.csv", std::string("\xFF\xFEx\0", 4)), HasSubstr("UTF-16"));
   EXPECT_THAT(error_of("a.gml", "<gml/>"), HasSubstr("is XML, as of GML, which is not read"));

@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace ridgeline::results {
+namespace ridgeline::apps {
 
 /// A gates file to start from. It explains every key and every metric and proposes limits.
 std::string gates_template();
 
-}  // namespace ridgeline::results
+}  // namespace ridgeline::apps

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/results/gates_template.h"
+#include "apps/gate/gates_template.h"
 
 #include "evaluate/gates/metric.h"
 
@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-namespace ridgeline::results {
+namespace ridgeline::apps {
 namespace {
 
 constexpr std::string_view kKeys =
@@ -98,4 +98,4 @@ std::string gates_template() {
       list_of(evaluate::decoy_metrics()), kGates);
 }
 
-}  // namespace ridgeline::results
+}  // namespace ridgeline::apps
