@@ -96,7 +96,7 @@ io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
     out.method = reconstruct::name(method);
     out.line_class = reconstruct::name(line.line_class);
     out.status = reconstruct::status_name(line);
-    out.epipolar_angle_deg = line.epipolar_angle_rad / kRadPerDeg;
+    out.epipolar_angle_deg = deg_from_rad(line.epipolar_angle_rad);
     set_pair(line, out);
     if (scene.views.size() > 2) {
       out.class_base = class_by_base_pair(line, scene, out, max_aligned_angle_deg);

@@ -114,7 +114,7 @@ cv::Mat figure1(const ReportPatch& patch) {
   const auto [base, other] = io::cameras_in_local(*patch.patch, patch.frame);
   SegmentPicture picture(patch.images->base_pair[0]);
   for (const EdgeSegment& segment : patch.images->segments[0]) {
-    const double angle_deg = epipolar_angle_rad(base, other, segment.line.segment) / kRadPerDeg;
+    const double angle_deg = deg_from_rad(epipolar_angle_rad(base, other, segment.line.segment));
     const bool is_aligned = angle_deg <= patch.max_aligned_angle_deg;
     picture.draw(segment.in_image, is_aligned ? colour::kAligned : colour::kNotAligned,
                  is_aligned ? kThick : kThin);

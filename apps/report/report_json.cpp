@@ -71,7 +71,7 @@ std::string aligned_base64(const ReportPatch& patch, std::size_t view, std::size
   std::vector<std::uint8_t> bits((segments.size() + 7) / 8);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const double angle_deg =
-        epipolar_angle_rad(own_camera, other_camera, segments[i].line.segment) / kRadPerDeg;
+        deg_from_rad(epipolar_angle_rad(own_camera, other_camera, segments[i].line.segment));
     if (angle_deg <= patch.max_aligned_angle_deg) bits[i / 8] |= 1U << (i % 8);
   }
   return base64(bits);

@@ -220,7 +220,7 @@ std::array<ProjectionMatrix, 2> nominal_pair(const Scene& scene) {
 
 void set_class(std::span<const ProjectionMatrix> image_from_world, io::Line& line) {
   line.epipolar_angle_deg =
-      epipolar_angle_rad(image_from_world, line.segment_in_world) / kRadPerDeg;
+      deg_from_rad(epipolar_angle_rad(image_from_world, line.segment_in_world));
   line.line_class = *line.epipolar_angle_deg <= kMaxAlignedAngle_deg ? "aligned" : "not_aligned";
 }
 

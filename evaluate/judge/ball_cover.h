@@ -46,7 +46,7 @@ class BallCover {
 
   Eigen::Vector2d start_;
   Eigen::Vector2d direction_;
-  Steps along_, up_;
+  CoverSteps along_, up_;
   double ball_radius_m_;
 };
 

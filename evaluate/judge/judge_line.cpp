@@ -107,7 +107,7 @@ void compare_with_intersection(LineEvaluation& e, const Segment3& segment) {
                                     -e.planes[1].plane.signedDistance(x), 0.0);
   e.intersection_distance_m = to_line.norm();
   e.intersection_angle_deg =
-      acute_angle_rad(direction, Eigen::Vector3d(segment.end - segment.start)) / kRadPerDeg;
+      deg_from_rad(acute_angle_rad(direction, Eigen::Vector3d(segment.end - segment.start)));
 }
 
 std::vector<std::uint32_t> sorted_indices(std::span<const ZonePoint> points) {

@@ -21,9 +21,8 @@ std::optional<RidgeDisplacement> ridge_displacement(const Segment3& segment,
                                                     const std::array<Plane3, 2>& planes,
                                                     const std::array<double, 2>& sigmas_m) {
   const Eigen::Vector2d along = (segment.end - segment.start).head<2>();
-  const double angle_deg =
-      acute_angle_rad(Eigen::Vector3d(planes[0].normal()), Eigen::Vector3d(planes[1].normal())) /
-      kRadPerDeg;
+  const double angle_deg = deg_from_rad(
+      acute_angle_rad(Eigen::Vector3d(planes[0].normal()), Eigen::Vector3d(planes[1].normal())));
   if (!(along.norm() > 0.0) || angle_deg < kMinRidgeAngle_deg) return std::nullopt;
   const Eigen::Vector3d h = across_in_plan(segment);
   const Eigen::Vector3d x = midpoint(segment);

@@ -65,7 +65,7 @@ LineProperty by_kind() {
 std::optional<double> steepest_slope_deg(const LineEvaluation& line) {
   std::optional<double> steepest;
   for (const JudgingPlane& p : line.planes) {
-    const double slope_deg = slope_rad(p.plane) / kRadPerDeg;
+    const double slope_deg = deg_from_rad(slope_rad(p.plane));
     steepest = std::max(steepest.value_or(0.0), slope_deg);
   }
   return steepest;

@@ -37,7 +37,7 @@ std::string oblique_text(const ConstantShift& shift) {
     const Eigen::Vector3d& untold = shift.untold[0];
     Eigen::Vector3d told = Eigen::Vector3d(-untold.y(), untold.x(), 0.0).normalized();
     if (told.x() < 0.0) told = -told;
-    const double azimuth_deg = std::atan2(told.x(), told.y()) / kRadPerDeg;
+    const double azimuth_deg = deg_from_rad(std::atan2(told.x(), told.y()));
     return fmt::format("towards azimuth {:.0f} degrees {}", azimuth_deg, along_text(shift, told));
   }
   if (z.shift_m || shift.untold.size() == 3) return "";

@@ -3,7 +3,6 @@
 
 #include "io/crs/proj_objects.h"
 #include "reconstruct/geometry/check.h"
-#include "reconstruct/geometry/degrees.h"
 
 #include <Eigen/SVD>
 #include <fmt/format.h>
@@ -11,9 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ridgeline::io {
 namespace {
+
+constexpr double kDegPerRadian = 180.0 / std::numbers::pi;
 
 /// Geocentric coordinates from longitude and latitude in radians and the height.
 proj::Object cart_of(PJ_CONTEXT* context, const PJ* crs) {
@@ -30,7 +32,7 @@ proj::Object cart_of(PJ_CONTEXT* context, const PJ* crs) {
 
 GeodeticPlace place_by(PJ* cart, const Eigen::Vector3d& x) {
   const PJ_COORD place = proj_trans(cart, PJ_INV, proj_coord(x.x(), x.y(), x.z(), 0.0));
-  return {place.lpz.phi / kRadPerDeg, place.lpz.lam / kRadPerDeg, place.lpz.z};
+  return {place.lpz.phi * kDegPerRadian, place.lpz.lam * kDegPerRadian, place.lpz.z};
 }
 
 }  // namespace
@@ -78,15 +80,15 @@ Eigen::Vector3d GeocentricMap::geocentric_from_map(const Eigen::Vector3d& x_in_m
   const PJ_COORD place =
       proj_trans(transforms_->map_from_geographic.get(), PJ_INV,
                  proj_coord(x_in_map_m.x(), x_in_map_m.y(), x_in_map_m.z(), HUGE_VAL));
-  const PJ_COORD x =
-      proj_trans(transforms_->cart.get(), PJ_FWD,
-                 proj_coord(place.xyz.x * kRadPerDeg, place.xyz.y * kRadPerDeg, place.xyz.z, 0.0));
+  const PJ_COORD x = proj_trans(
+      transforms_->cart.get(), PJ_FWD,
+      proj_coord(place.xyz.x / kDegPerRadian, place.xyz.y / kDegPerRadian, place.xyz.z, 0.0));
   return {x.xyz.x, x.xyz.y, x.xyz.z};
 }
 
 Eigen::Isometry3d GeocentricMap::geocentric_from_enu(const GeodeticPlace& place) const {
-  const double lat = place.lat_deg * kRadPerDeg;
-  const double lon = place.lon_deg * kRadPerDeg;
+  const double lat = place.lat_deg / kDegPerRadian;
+  const double lon = place.lon_deg / kDegPerRadian;
   const PJ_COORD origin =
       proj_trans(transforms_->cart.get(), PJ_FWD, proj_coord(lon, lat, place.height_m, 0.0));
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();

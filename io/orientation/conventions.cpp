@@ -2,7 +2,6 @@
 #include "io/orientation/conventions.h"
 
 #include "io/error.h"
-#include "reconstruct/geometry/degrees.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -15,6 +14,8 @@
 
 namespace ridgeline::io {
 namespace {
+
+constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 double full_turn(AngleUnit unit) {
   switch (unit) {
@@ -30,7 +31,7 @@ double full_turn(AngleUnit unit) {
 /// The angle in [0, 45] degrees between two directions when a quarter turn does not count.
 double angle_modulo_quarter_deg(double a_rad, double b_rad) {
   constexpr double kQuarter_deg = 90.0;
-  const double angle = std::fmod(std::abs(a_rad - b_rad) / kRadPerDeg, kQuarter_deg);
+  const double angle = std::fmod(std::abs(a_rad - b_rad) * kDegPerRad, kQuarter_deg);
   return std::min(angle, kQuarter_deg - angle);
 }
 
@@ -182,9 +183,9 @@ Eigen::Matrix3d rotation_of(const Angles& angles, AngleUnit unit, RotationOrder 
 
 Angles angles_deg(const Eigen::Matrix3d& world_from_camera_axes) {
   const Eigen::Matrix3d& R = world_from_camera_axes;
-  return {std::atan2(-R(1, 2), R(2, 2)) / kRadPerDeg,
-          std::asin(std::clamp(R(0, 2), -1.0, 1.0)) / kRadPerDeg,
-          std::atan2(-R(0, 1), R(0, 0)) / kRadPerDeg};
+  return {kDegPerRad * std::atan2(-R(1, 2), R(2, 2)),
+          kDegPerRad * std::asin(std::clamp(R(0, 2), -1.0, 1.0)),
+          kDegPerRad * std::atan2(-R(0, 1), R(0, 0))};
 }
 
 std::vector<AngleUnit> possible_units(const std::vector<Angles>& angles) {

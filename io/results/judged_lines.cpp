@@ -92,7 +92,7 @@ JudgedLine judged_line(const io::Line& line,
   judged.epipolar_angle_deg = line.epipolar_angle_deg;
   if (!judged.epipolar_angle_deg && cameras.size() >= 2 && evaluate::in_range(judged.segment)) {
     judged.epipolar_angle_deg =
-        epipolar_angle_rad(cameras, metric_segment(line, unit_m)) / kRadPerDeg;
+        deg_from_rad(epipolar_angle_rad(cameras, metric_segment(line, unit_m)));
   }
   judged.line_class = class_of(line, judged.epipolar_angle_deg, max_aligned_angle_deg);
   return judged;

@@ -8,7 +8,6 @@
 #include "io/results/map_style.h"
 #include "io/results/to_fix.h"
 #include "reconstruct/geometry/check.h"
-#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
@@ -17,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -29,6 +29,8 @@ using evaluate::LineEvaluation;
 using io::Column;
 using io::ColumnType;
 using io::Value;
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 Value plane_id(const LineEvaluation& e, std::size_t i) {
   return i < e.planes.size() ? integer(static_cast<std::int64_t>(e.planes[i].id)) : Value();
@@ -167,7 +169,7 @@ double normal_part(const JudgedPlane& p, int axis) { return p.plane.normal()[axi
 std::optional<double> aspect_deg(const Plane3& plane) {
   const Eigen::Vector3d n = plane.normal();
   if (n.x() == 0.0 && n.y() == 0.0) return std::nullopt;
-  const double azimuth_deg = std::atan2(n.x(), n.y()) / kRadPerDeg;
+  const double azimuth_deg = std::atan2(n.x(), n.y()) * kDegrees;
   return azimuth_deg < 0.0 ? azimuth_deg + 360.0 : azimuth_deg;
 }
 
@@ -181,7 +183,7 @@ const std::vector<PlaneField>& plane_fields() {
       {"normal_y", ColumnType::kReal, [](const auto& p) { return number(normal_part(p, 1)); }},
       {"normal_z", ColumnType::kReal, [](const auto& p) { return number(normal_part(p, 2)); }},
       {"slope_deg", ColumnType::kReal,
-       [](const auto& p) { return number(slope_rad(p.plane) / kRadPerDeg); }},
+       [](const auto& p) { return number(slope_rad(p.plane) * kDegrees); }},
       {"aspect_deg", ColumnType::kReal, [](const auto& p) { return number(aspect_deg(p.plane)); }},
       {"rms_m", ColumnType::kReal, [](const auto& p) { return number(p.rms_m); }},
       {"inliers", ColumnType::kInteger, [](const auto& p) { return integer(p.n_inliers); }},

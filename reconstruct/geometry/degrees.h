@@ -7,4 +7,6 @@ namespace ridgeline {
 
 inline constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
+inline double deg_from_rad(double angle_rad) { return angle_rad * 180.0 / std::numbers::pi; }
+
 }  // namespace ridgeline

@@ -28,7 +28,7 @@ PairMeasures smallest_of_each(std::span<const PairMeasures> images) {
 }
 
 double point_weight(const PairMeasures& measures, const ReconstructOptions& options) {
-  const double angle_deg = measures.angle_rad / kRadPerDeg;
+  const double angle_deg = deg_from_rad(measures.angle_rad);
   if (!(angle_deg > options.min_pair_angle_deg)) return 0.0;
   return std::exp(-measures.distance_px / (2.0 * options.sigma_distance_px) -
                   measures.epipolar_distance_px / (2.0 * options.sigma_epipolar_px));

@@ -40,7 +40,7 @@ void classify(const TrackedLines& lines,
               const ReconstructOptions& options,
               ReconstructedLine& result) {
   result.epipolar_angle_rad = epipolar_angle_rad(lines.frames, lines.lines[line]);
-  const bool aligned = result.epipolar_angle_rad / kRadPerDeg <= options.max_aligned_angle_deg;
+  const bool aligned = deg_from_rad(result.epipolar_angle_rad) <= options.max_aligned_angle_deg;
   result.line_class = aligned ? LineClass::kAligned : LineClass::kNotAligned;
 }
 
