@@ -37,11 +37,11 @@ namespace ridgeline::apps {
 namespace {
 
 constexpr std::array kCommands{
-    Command{"demo", "run everything on sample data and print the tables",
+    Command{"demo", "run all steps on sample data and print the tables",
             "  ridgeline demo\n"
             "  ridgeline demo --out results --no-report",
             add_demo},
-    Command{"evaluate", "judge any tool's 3D lines against a point cloud",
+    Command{"evaluate", "judge 3D lines of any tool against a point cloud",
             "  ridgeline evaluate --lines roofs.gpkg --cloud 'tiles/*.laz' --out results\n"
             "  ridgeline evaluate --lines a.geojson b.dxf --cloud lidar.las --patch patch.yaml "
             "--out results\n"
@@ -56,63 +56,62 @@ constexpr std::array kCommands{
             "  ridgeline gate --init > gates.yaml\n"
             "  ridgeline gate results --gates gates.yaml --junit gates.xml",
             add_gate},
-    Command{"compare", "the same lines under several methods or tools, paired",
+    Command{"compare", "compare the same lines between methods, tools or runs",
             "  ridgeline compare before after\n"
             "  ridgeline compare ours theirs others",
             add_compare},
-    Command{"report", "report.html of a folder of results, and its figures",
+    Command{"report", "write report.html and its figures for a results folder",
             "  ridgeline report results\n"
             "  ridgeline report results --gates gates.yaml --project 'Block 7'",
             add_report},
-    Command{"run", "images and LIDAR of patches -> 3D lines, judged: Tables 1 and 2",
+    Command{"run", "reconstruct 3D lines of patches and judge them against LIDAR",
             "  ridgeline run patch.yaml --out results\n"
             "  ridgeline run patches/*.yaml --out results --methods direct,joint,lines --resume",
             add_run},
-    Command{"block", "a town: frames cut into patches, and one result",
+    Command{"block", "reconstruct a large area as patches merged into one result",
             "  ridgeline block block.yaml --out town\n"
             "  ridgeline block block.yaml --out town --plan; ridgeline block block.yaml --out town "
             "--task 1-4",
             add_block},
-    Command{"extract", "line segments of an image with their uncertainty",
+    Command{"extract", "extract line segments of an image with their uncertainty",
             "  ridgeline extract left.tif --out segments.csv\n"
             "  ridgeline extract left.tif --patch patch.yaml --out segments.csv --overlay seen.png",
             add_extract},
     Command{
-        "match", "line matches between the two images of a patch",
+        "match", "match line segments between the two images of a patch",
         "  ridgeline match patch.yaml --out matches.csv\n"
         "  ridgeline match patch.yaml --matcher pairwise,chio --out matches.csv --overlay seen.png",
         add_match},
-    Command{"reconstruct", "3D lines of the matched segments of a patch",
+    Command{"reconstruct", "reconstruct 3D lines from the matched segments of a patch",
             "  ridgeline reconstruct patch.yaml --out lines.geojson\n"
             "  ridgeline reconstruct patch.yaml --matches matches.csv --method network --out "
             "lines.geojson",
             add_reconstruct},
     Command{
-        "patch", "write a patch file of an orientation, an area and images",
+        "patch", "write a patch file from an orientation, an area and images",
         "  ridgeline patch --init roofs.yaml --orientation block.xml --images frames --area "
         "513000,5403000,513100,5403100 --lidar 'tiles/*.laz'\n"
         "  ridgeline patch --init roofs.yaml --orientation opk.csv --cameras cameras.yaml --images "
         "'frames/*.tif' --area area.geojson --height-range 230,290",
         add_patch},
-    Command{"simulate", "a synthetic village: images, LIDAR, true lines",
+    Command{"simulate", "create a synthetic village: images, LIDAR, true lines",
             "  ridgeline simulate --out village\n"
             "  ridgeline simulate --out town --extent-m 1000,1000 --no-images --seed 7\n"
             "  ridgeline simulate --out frames --frame-px 4000,3000 --orientation inpho\n"
             "  ridgeline simulate --out block --block 2,3",
             add_simulate},
-    Command{"info", "what a file or folder is, and what to do with it",
+    Command{"info", "describe files or folders and how to use them",
             "  ridgeline info lidar.laz roofs.gpkg\n"
             "  ridgeline info patch.yaml",
             add_info},
-    Command{"config", "all parameters with meaning and range, for --config",
+    Command{"config", "print all parameters with meaning and range, for --config",
             "  ridgeline config > parameters.yaml\n"
             "  ridgeline config --preset published",
             add_config},
 };
 
 constexpr const char* kOutputRules =
-    "Outputs are written whole or not at all, never over an input. In a results folder, only "
-    "unchanged files that ridgeline wrote are replaced; other existing files need --overwrite.";
+    "Existing files are only replaced if ridgeline wrote them; others need --overwrite.";
 
 std::string version_text() {
   std::string text = fmt::format("ridgeline {} ({})\n", results::kVersion, results::kGitHash);
@@ -134,11 +133,11 @@ void add_global_options(CLI::App& app, GlobalOptions& options) {
   app.fallthrough();
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text);
-  app.add_option("--jobs", options.jobs, "threads; 0: all. Results do not depend on it")
+  app.add_option("--jobs", options.jobs, "number of threads; 0: all; results do not depend on it")
       ->check(CLI::Range(0, 1024))
       ->option_text("N=0");
-  app.add_flag("--quiet", options.quiet, "only errors on stderr");
-  app.add_option("--log-level", options.log_level, "of the log: debug, info, warning or error")
+  app.add_flag("--quiet", options.quiet, "print only errors on stderr");
+  app.add_option("--log-level", options.log_level, "log level: debug, info, warning or error")
       ->check(CLI::IsMember({"debug", "info", "warning", "error"}))
       ->option_text("LEVEL=info");
 }
@@ -200,8 +199,8 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   if (unknown.empty()) return fmt::format("{} ({})", error.what(), help);
   const std::vector<std::string> words = known_words(app);
   const std::string_view nearest = io::nearest_name(unknown.front(), {words.begin(), words.end()});
-  return fmt::format("unknown argument {}, the nearest is {} ({})", fmt::join(unknown, " "),
-                     nearest, help);
+  return fmt::format("unknown argument {}, did you mean {}? ({})", fmt::join(unknown, " "), nearest,
+                     help);
 }
 
 std::string footer_of(const Command& command, bool writes) {

@@ -206,7 +206,7 @@ void check_scene(const Scene& scene, std::span<const ViewPair> pairs) {
   check(views.size() >= 2, "reconstruct: views = ", views.size(), ", must be 2 or more");
   for (const View& view : views) {
     check(is_central_camera(view.image_from_local), "view ", view.id,
-          ": the matrix that takes the world to its pixels must be finite and show space");
+          ": its projection matrix must be finite and of full rank");
     check(view.image.channels() == views[0].image.channels(), "view ", view.id,
           ": bands = ", view.image.channels(), ", must be as many as those of view ", views[0].id,
           ", ", views[0].image.channels());
@@ -273,7 +273,7 @@ Reconstruction reconstruct(Scene scene, const Options& options, std::span<const 
   check(options.estimation.lines.method != Method::kPlanes ||
             std::ranges::any_of(result.pairs, [](const auto& p) { return p.surface.has_value(); }),
         "method planes: there is no surface to find planes in; the images cannot be rectified to "
-        "each other, or every option that needs it is off");
+        "each other, or every option that uses it is off");
   result.lines = estimate(result.scene, result.tracks, used_pairs(result.pairs), options);
   for (PairMatches& pair : result.pairs) pair.surface.reset();
   return result;

@@ -39,7 +39,8 @@ std::pair<std::size_t, std::size_t> tasks_of(const std::string& text, std::size_
   const bool are_numbers =
       first && last && *first == std::floor(*first) && *last == std::floor(*last);
   check(are_numbers && *first >= 1.0 && *first <= *last && *last <= static_cast<double>(n),
-        "--task ", text, ": the tasks of this block are 1 to ", n, "; give one, or FIRST-LAST");
+        "--task ", text, ": the tasks of this block are 1 to ", n,
+        "; give one number or FIRST-LAST");
   return {static_cast<std::size_t>(*first) - 1, static_cast<std::size_t>(*last) - 1};
 }
 
@@ -84,7 +85,7 @@ std::string foreseen_text(const FramesBlock& block) {
     all.seconds += task.seconds;
     all.memory_mib = std::max(all.memory_mib, task.memory_mib);
   }
-  return fmt::format("{} tasks; foreseen: {} of processor time in all, {:.0f} MiB for the largest",
+  return fmt::format("{} tasks; estimated: {} of CPU time in total, {:.0f} MiB for the largest",
                      block.n_tasks(), duration_text(all.seconds), all.memory_mib);
 }
 
@@ -96,8 +97,8 @@ int run_block(const BlockArguments& a, int jobs) {
   const bool is_one_step = !a.task.empty() || a.merge;
   const std::filesystem::path plan = std::filesystem::path(a.out) / "plan.json";
   if (is_one_step && !std::filesystem::exists(plan)) {
-    throw io::IoError(plan.string(), "there is no plan; make it first: ridgeline block " + a.file +
-                                         " --out " + a.out + " --plan");
+    throw io::IoError(plan.string(), "there is no plan; create it first: ridgeline block " +
+                                         a.file + " --out " + a.out + " --plan");
   }
   block.plan();
   if (!a.task.empty()) {
@@ -119,24 +120,26 @@ int run_block(const BlockArguments& a, int jobs) {
   say("Results: {}\n", std::filesystem::absolute(a.out).lexically_normal().string());
   if (n_missing == 0) return kDone;
   spdlog::error(
-      "{} of {} tasks have no results; mend what they name and start again: the others are kept",
+      "{} of {} tasks have no results; fix the reported problems and restart: finished tasks are "
+      "kept",
       n_missing, block.n_tasks());
   return kWrongInput;
 }
 
 void add_steps(CLI::App& app, BlockArguments& a) {
-  const char* group = "Steps, each of which may run on another host; without them all run here";
+  const char* group = "Steps, which can run on different hosts; by default all run here";
   CLI::Option* plan =
-      app.add_flag("--plan", a.plan, "cut the block into patches: plan.json")->group(group);
-  CLI::Option* task = app.add_option("--task", a.task,
-                                     "reconstruct these patches, numbered from 1: I or FIRST-LAST")
-                          ->group(group);
+      app.add_flag("--plan", a.plan, "divide the block into patches and write plan.json")
+          ->group(group);
+  CLI::Option* task =
+      app.add_option("--task", a.task, "reconstruct these patches: I or FIRST-LAST, counted from 1")
+          ->group(group);
   CLI::Option* merge =
       app.add_flag("--merge", a.merge, "merge and judge the lines of all finished tasks")
           ->group(group);
   CLI::Option* slurm =
       app.add_flag("--slurm", a.slurm,
-                   "write scripts that submit all steps to Slurm, or start them by GNU parallel")
+                   "write scripts that submit all steps to Slurm or run them with GNU parallel")
           ->group(group);
   plan->excludes(task)->excludes(merge)->excludes(slurm);
   task->excludes(merge)->excludes(slurm);
@@ -149,8 +152,7 @@ Run add_block(CLI::App& subcommand) {
   auto a = std::make_shared<BlockArguments>();
   subcommand.add_option("block", a->file, "block file (YAML): frames, their orientation, LIDAR")
       ->required();
-  subcommand
-      .add_option("--out", a->out, "folder of the block; what is finished there is not done again")
+  subcommand.add_option("--out", a->out, "folder of the block; finished tasks there are kept")
       ->required();
   add_steps(subcommand, *a);
   add_block_flags(subcommand, a->flags);

@@ -35,7 +35,7 @@ void BlockHeights::read_sample(double overlap_m) {
   if (heights_m.empty()) {
     const io::CrsAgreement agreement = io::compare(block_.crs, cloud.crs);
     throw io::IoError(block_.path,
-                      fmt::format("height_range: auto: no point of the lidar lies in the area{}{}",
+                      fmt::format("height_range: auto: no LIDAR point lies in the area{}{}",
                                   agreement.compatible ? "" : "; ", agreement.reason));
   }
   const auto [low, high] = height_limits_m(heights_m);

@@ -123,15 +123,15 @@ BlockPlan read_block_plan(const std::string& path) {
     return plan_of(json::parse(io::read_text_file(path)));
   } catch (const json::exception& error) {
     throw io::IoError(
-        path, fmt::format("is no plan of a block ({}); remove it and plan again", error.what()));
+        path, fmt::format("is not a block plan ({}); remove it and plan again", error.what()));
   }
 }
 
 void require_unchanged(const FileState& file) {
   if (is_unchanged(file)) return;
   throw io::IoError(file.path,
-                    "has changed since the block was planned; put it back, or remove plan.json to "
-                    "plan again: finished patches that it does not touch are kept");
+                    "has changed since the block was planned; restore it, or remove plan.json to "
+                    "plan again: finished patches that do not depend on it are kept");
 }
 
 }  // namespace ridgeline::apps

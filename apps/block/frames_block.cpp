@@ -90,9 +90,11 @@ std::size_t FramesBlock::merge() {
 void FramesBlock::take_plan() {
   plan_ = read_block_plan(plan_path());
   if (plan_->block_file != block_.patch.path) {
-    throw io::IoError(plan_path(), fmt::format("is the plan of {}; a folder holds one block, give "
-                                               "another one by --out",
-                                               plan_->block_file));
+    throw io::IoError(
+        plan_path(),
+        fmt::format(
+            "is the plan of {}; a folder can only hold one block, choose another with --out",
+            plan_->block_file));
   }
   if (plan_->key == key_of_plan(block_, planned_inputs(block_))) return;
   for (const FileState& file : plan_->inputs) require_unchanged(file);

@@ -132,8 +132,8 @@ class BlockMerge {
           patch_of_line.push_back(patch);
         });
     for (const auto& writer : writers) writer->commit();
-    say("{}: {} lines of the block, of {} that {} patches found with their overlaps\n",
-        reconstruct::name(method), patch_of_line.size(), counts.n_found, finished.size());
+    say("{}: {} lines, merged from {} lines of {} overlapping patches\n", reconstruct::name(method),
+        patch_of_line.size(), counts.n_found, finished.size());
     record_.set(fmt::format("lines_{}", reconstruct::name(method)),
                 {{"n_found", counts.n_found},
                  {"n_without_place", counts.n_without_place},

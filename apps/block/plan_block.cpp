@@ -73,7 +73,7 @@ std::vector<GridCell> squares_of(const PatchGrid& grid,
   const GridCell first = grid.cell_of(extent.min());
   const GridCell last = grid.cell_of(extent.max());
   check((last.column - first.column + 1) * (last.row - first.row + 1) <= kMaxSquares,
-        "patch_size_m = ", grid.size_m(), " cuts the block into more than ", kMaxSquares,
+        "patch_size_m = ", grid.size_m(), " divides the block into more than ", kMaxSquares,
         " squares");
   std::vector<GridCell> squares;
   for (std::int64_t column = first.column; column <= last.column; ++column) {
@@ -155,7 +155,7 @@ std::vector<PlannedFrame> frames_of(const io::BlockFile& block,
 std::vector<std::string> warnings_of(const io::BlockFile& block) {
   std::vector<std::string> warnings = block.patch.warnings;
   if (const std::size_t n = block.patch.without_file.size(); n > 0) {
-    warnings.push_back(fmt::format("{}: {} images of the orientation have no file, the first is {}",
+    warnings.push_back(fmt::format("{}: {} images of the orientation have no file; the first is {}",
                                    block.patch.path, n, block.patch.without_file.front().id));
   }
   return warnings;
@@ -247,7 +247,7 @@ BlockPlan plan_block(const io::BlockFile& block) {
   if (plan.patches.empty()) {
     throw io::IoError(
         block.patch.path,
-        fmt::format("no two of its {} images show one of the {} squares of {} m of the area",
+        fmt::format("none of the {} images overlap in any of the {} squares of {} m of the area",
                     block.patch.images.size(), squares.size(), grid.size_m()));
   }
   plan.frames = frames_of(block, plan.patches);
@@ -263,7 +263,7 @@ io::PatchFile patch_of(const io::BlockFile& block,
     const auto image = std::ranges::find(block.patch.images, id, &io::PatchImage::id);
     const auto frame = std::ranges::find(plan.frames, id, &PlannedFrame::id);
     check(image != block.patch.images.end() && frame != plan.frames.end(), "image ", id,
-          ", is not in the block any more");
+          ", is no longer in the block");
     patch.images.push_back(*image);
     patch.images.back().radiometry = frame->radiometry;
   }

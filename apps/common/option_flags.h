@@ -19,7 +19,7 @@ CLI::Validator in_range(T lowest, T highest) {
   return CLI::Validator(
       [lowest, highest](const std::string& text) {
         T value{};
-        if (!CLI::detail::lexical_cast(text, value)) return "'" + text + "' is no number";
+        if (!CLI::detail::lexical_cast(text, value)) return "'" + text + "' is not a number";
         if (value >= lowest && value <= highest) return std::string();
         return fmt::format("{}, must be in [{:g}, {:g}]", text, static_cast<double>(lowest),
                            static_cast<double>(highest));

@@ -63,21 +63,21 @@ bool none_is_reconstructed(std::span<const Evaluation> evaluations) {
 }
 
 std::string statuses_text(std::span<const Evaluation> evaluations) {
-  return fmt::format("0 of {} could be judged: {}", lines_text(evaluations),
+  return fmt::format("none of {} could be judged: {}", lines_text(evaluations),
                      reasons_text(evaluations));
 }
 
 std::string why_none_is_judged(const PatchCounts& counts, std::span<const Evaluation> evaluations) {
   if (none_is_reconstructed(evaluations)) {
     if (counts.n_matches == 0) {
-      return fmt::format("no line was reconstructed: 0 of {} of the left image found a match",
+      return fmt::format("no line was reconstructed: none of {} of the left image has a match",
                          counted(counts.n_left_segments, "segment", "segments"));
     }
-    return fmt::format("no line was reconstructed: 0 of {} gave one",
+    return fmt::format("no line was reconstructed from {}",
                        counted(counts.n_matches, "match", "matches"));
   }
   if (!counts.has_lidar) {
-    return fmt::format("no LIDAR is given: {} reconstructed, none judged", lines_text(evaluations));
+    return fmt::format("no LIDAR given: {} reconstructed, none judged", lines_text(evaluations));
   }
   return statuses_text(evaluations);
 }
@@ -107,10 +107,9 @@ std::vector<std::string> unconfirmed_messages(const std::string& patch,
     if (evaluations.size() > 1) texts.back() += " by " + evaluation.method;
   }
   if (texts.empty()) return {};
-  return {
-      fmt::format("Patch {}: unconfirmed and not judged: {}; further images should show them "
-                  "and do not.",
-                  patch, fmt::join(texts, ", "))};
+  return {fmt::format(
+      "Patch {}: not judged because another image should show them but does not (unconfirmed): {}.",
+      patch, fmt::join(texts, ", "))};
 }
 
 }  // namespace
@@ -125,8 +124,8 @@ std::vector<std::string> judging_messages(const std::string& patch,
                                           std::span<const Evaluation> evaluations) {
   if (evaluations.empty()) return {};
   if (has_figures(evaluations)) return unconfirmed_messages(patch, evaluations);
-  const std::string why = none_is_reconstructed(evaluations) ? "no line has a geometry to judge"
-                                                             : statuses_text(evaluations);
+  const std::string why =
+      none_is_reconstructed(evaluations) ? "no line has a geometry" : statuses_text(evaluations);
   return {fmt::format("Patch {}: {}.", patch, why)};
 }
 
@@ -139,10 +138,10 @@ std::vector<std::string> outcome_messages(const PatchCounts& counts,
   std::vector<std::string> messages = unconfirmed_messages(counts.patch, evaluations);
   const std::optional<double> median_m = least_median_m(evaluations);
   if (!median_m || *median_m <= evaluations.front().options.gross_m) return messages;
-  messages.push_back(fmt::format(
-      "Patch {}: half of the lines are more than {:.2f} m off the LIDAR; images, cameras and LIDAR "
-      "hardly belong together.",
-      counts.patch, *median_m));
+  messages.push_back(
+      fmt::format("Patch {}: half of the lines are more than {:.2f} m from the LIDAR; images, "
+                  "cameras and LIDAR probably do not match.",
+                  counts.patch, *median_m));
   return messages;
 }
 

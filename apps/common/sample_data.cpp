@@ -43,7 +43,7 @@ std::vector<fs::path> sample_patches() {
     if (!patches.empty()) return patches;
     tried += (tried.empty() ? "" : ", ") + folder.string();
   }
-  throw io::IoError("sample_data", "not found; looked in " + tried);
+  throw io::IoError("sample_data", "not found; searched in " + tried);
 }
 
 }  // namespace ridgeline::apps

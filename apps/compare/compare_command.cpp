@@ -81,7 +81,7 @@ evaluate::ComparisonReport compare_all(const std::vector<evaluate::ResultFolder>
   } else {
     report.comparisons = evaluate::compare_methods(folders.front());
     check(!report.comparisons.empty(), "compare: ", folders.front().name,
-          " holds one method; give a second folder");
+          " has only one method; give a second folder");
   }
   for (const evaluate::ResultFolder& folder : folders) {
     for (const std::string& note : evaluate::moved_notes(folder.evaluations)) {
@@ -123,17 +123,17 @@ int run_compare(const CompareArguments& a) {
 Run add_compare(CLI::App& subcommand) {
   auto a = std::make_shared<CompareArguments>();
   subcommand
-      .add_option(
-          "folders", a->folders,
-          "folders that evaluate, run, block or demo wrote; one: its methods are compared; of runs "
-          "that match the same segments by different matchers: what each of these finds")
+      .add_option("folders", a->folders,
+                  "results folders of evaluate, run, block or demo; with one folder, its methods "
+                  "are compared; for runs with different matchers of the same segments, shows what "
+                  "each one finds")
       ->required();
   subcommand.add_option("--out", a->out, "folder for compare.md and compare.json");
   subcommand
       .add_option(
           "--fail-if-worse", a->fail_if_worse,
-          "METRIC:MARGIN: exit code 3 if the figure of all lines of a further folder is worse "
-          "than that of the first by more, as rms_m:0.01 or evaluated_share:0.05")
+          "METRIC:MARGIN: exit with code 3 if the total figure of another folder is worse than "
+          "that of the first by more than the margin, e.g. rms_m:0.01 or evaluated_share:0.05")
       ->allow_extra_args(false);
   return [a] { return run_compare(*a); };
 }

@@ -164,12 +164,12 @@ std::string matcher_name(const std::string& folder) {
     const nlohmann::json options = options_of(folder).value();
     const auto names = options.at("matchers").get<std::vector<std::string>>();
     if (names.empty()) {
-      throw io::IoError(file, "options.matchers is empty; must name one matcher at least");
+      throw io::IoError(file, "options.matchers is empty; must have at least one matcher");
     }
     const bool by_height = names.front() == "pairwise" && options.value(kPropagateHeights, false);
     return (names.size() > 1 ? "both" : names.front()) + (by_height ? ", by height" : "");
   } catch (const nlohmann::json::exception& error) {
-    throw io::IoError(file, std::string("states no matchers: ") + error.what());
+    throw io::IoError(file, std::string("has no matchers: ") + error.what());
   }
 }
 

@@ -42,106 +42,107 @@ struct EvaluateArguments {
 void add_inputs(CLI::App& app, EvaluateArguments& a) {
   app.add_option("--lines", a.lines,
                  "3D lines: GeoJSON, GeoPackage, Shapefile, DXF, WKT, CSV, OBJ, PLY, Line3D++, "
-                 "LIMAP, ELSR; or models of buildings: CityJSON, CityGML; each file is judged")
+                 "LIMAP, ELSR; or building models: CityJSON, CityGML; every file is judged")
       ->required();
   app.add_option("--cloud", a.clouds,
-                 "LAS, LAZ, PCD, PLY or x y z text; files and patterns are one cloud");
+                 "LAS, LAZ, PCD, PLY or x y z text; files and patterns are merged into one cloud");
   app.add_option("--out", a.out, "folder for the results")->required();
   app.add_option("--patch", a.patch,
-                 "patch file: its cameras class the lines aligned / not_aligned, its lidar is the "
-                 "cloud where --cloud is not given");
+                 "patch file; its cameras classify lines as aligned or not_aligned, its lidar is "
+                 "the default for --cloud");
   app.add_option("--reference-lines", a.reference_lines,
-                 "true 3D lines, or polygons with heights, whose edges are taken: precision and "
-                 "completeness at tolerances beside the distances");
+                 "true 3D lines, or polygons with heights (their edges), for precision and "
+                 "completeness in addition to distances");
   app.add_option("--assume-crs", a.assume_crs,
-                 "CRS of all inputs, whatever they state (EPSG:25832+7837, WKT, ...)");
-  app.add_option(
-      "--lod", a.lod,
-      "level of detail of a model of buildings: 2.2, or 2 for the highest of 2.x; default: "
-      "the highest up to 3 that a building has");
-  app.add_option("--id", a.id_column, "column of the lines' ids; default: id, else their number");
+                 "CRS of all inputs, overriding theirs (EPSG:25832+7837, WKT, ...)");
+  app.add_option("--lod", a.lod,
+                 "level of detail of a building model: 2.2, or 2 for the highest 2.x; default: the "
+                 "highest of each building, up to 3");
+  app.add_option("--id", a.id_column, "column of line ids; default: id, else the line number");
   app.add_option("--building", a.building_column,
-                 "column that says to which building a line belongs, or of the names of the "
-                 "buildings of a model without ids; default: building");
-  app.add_option("--by", a.by,
-                 "attributes of the buildings of a model, by which buildings_by.csv groups them")
+                 "column of the building of a line, or of the building names of a model without "
+                 "ids; default: building");
+  app.add_option("--by", a.by, "building attributes of a model for grouping in buildings_by.csv")
       ->delimiter(',');
-  app.add_option(
-      "--write-attributes", a.write_attributes,
-      "file (.json, .jsonl, .gml, .gpkg) for the model with the figures of its buildings "
-      "as attributes; of one model");
+  app.add_option("--write-attributes", a.write_attributes,
+                 "write the model with the figures of its buildings as attributes to this file "
+                 "(.json, .jsonl, .gml, .gpkg); a single model only");
   app.add_option("--area", a.area,
                  "x_min,y_min,x_max,y_max in the cloud's own coordinates: judge only the lines "
                  "whose middle lies there (x_min <= x < x_max), for `ridgeline pool`")
       ->delimiter(',')
       ->expected(4);
-  app.add_flag(
-      "--scale-to-ground", a.scale_to_ground,
-      "divide the plan by its scale at the data, as Web Mercator needs it; default: a plan "
-      "that is not true to scale is refused");
-  app.add_option(
-      "--write-points", a.write_points,
-      "file (.las, .pcd, .ply) for the points of the planes, coloured by plane; of one line file");
+  app.add_flag("--scale-to-ground", a.scale_to_ground,
+               "divide plan coordinates by the local map scale, as needed for Web Mercator; "
+               "default: refuse data that are not true to scale");
+  app.add_option("--write-points", a.write_points,
+                 "write the points of the planes, coloured by plane, to this file (.las, .pcd, "
+                 ".ply); a single line file only");
   add_overwrite_flag(app, a.overwrite);
   add_shift_options(app, a.shift);
   add_decoys_option(app, a.n_decoys);
   add_schema_option(app, a.schema);
   add_page_options(app, a.page);
   add_report_flag(app, a.report);
-  app.add_flag("--pairs", a.vertex_pairs, "an OBJ's vertices two by two are the lines");
+  app.add_flag("--pairs", a.vertex_pairs,
+               "read every two consecutive vertices of an OBJ as a line");
 }
 
 void add_cloud_filters(CLI::App& app, EvaluateArguments& a) {
   const char* group = "Cloud";
   app.add_option("--classes", a.classes,
-                 "keep these ASPRS classes only, e.g. 2,6; default: all but noise (7, 18)")
+                 "keep only these ASPRS classes, e.g. 2,6; default: all but noise (7, 18)")
       ->delimiter(',')
       ->check(CLI::Range(0, 255))
       ->group(group);
   app.add_flag("--exclude-withheld,!--include-withheld", a.exclude_withheld,
                "leave out withheld points (default)")
       ->group(group);
-  app.add_flag("--last-returns", a.last_returns, "last return of each pulse only")->group(group);
+  app.add_flag("--last-returns", a.last_returns, "keep only the last return of each pulse")
+      ->group(group);
   app.add_option("--bounds", a.bounds, "x_min,y_min,x_max,y_max in the cloud's own coordinates")
       ->delimiter(',')
       ->expected(4)
       ->group(group);
-  app.add_option("--origin", a.origin, "x,y,z of the local frame, whole metres")
+  app.add_option("--origin", a.origin,
+                 "origin of the local frame: x,y,z, whole metres; default: from the data")
       ->delimiter(',')
       ->expected(3)
       ->group(group);
-  app.add_option("--max-points", a.max_points, "refuse to keep more; 0: no limit")
+  app.add_option("--max-points", a.max_points, "largest number of points to keep; 0: no limit")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str()
       ->group(group);
-  app.add_option("--max-memory-mib", a.max_memory_mib, "for the points kept; 0: no limit")
+  app.add_option("--max-memory-mib", a.max_memory_mib,
+                 "largest memory for the points kept, MiB; 0: no limit")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str()
       ->group(group);
-  app.add_option("--cloud-memory-mib", a.cloud_memory_mib,
-                 "for points held at a time; beyond, lines are judged in batches of neighbours")
+  app.add_option(
+         "--cloud-memory-mib", a.cloud_memory_mib,
+         "memory for points, MiB; larger clouds are processed in batches of neighbouring lines")
       ->check(CLI::Range(1, 1048576))
       ->capture_default_str()
       ->group(group);
   app.add_option("--max-resolution", a.max_resolution_m,
-                 "quick look: of COPC only the levels down to this point distance, m; 0: all")
+                 "quick look: read COPC levels only down to this point distance, m; 0: all")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str()
       ->group(group);
   app.add_flag(
          "--strict", a.strict,
-         "refuse coordinates in steps above 0.025 m (float32, too few digits), of cloud and lines")
+         "refuse clouds and lines with coordinate steps above 0.025 m (float32, too few digits)")
       ->group(group);
-  app.add_flag("--salvage", a.salvage, "read what is there of a file cut short")->group(group);
+  app.add_flag("--salvage", a.salvage, "read what is left of a truncated file")->group(group);
 }
 
 void add_statistics_options(CLI::App& app, EvaluateArguments& a) {
   const char* group = "Statistics";
-  app.add_option("--gross-m", a.summary.gross_m, "a line farther off is a gross error")
+  app.add_option("--gross-m", a.summary.gross_m, "distance above which a line is a gross error, m")
       ->capture_default_str()
       ->group(group);
   app.add_option("--sigma-sys-m", a.summary.sigma_sys_m,
-                 "systematic part of the cloud's accuracy (datum, strips)")
+                 "systematic part of the accuracy of the cloud (datum, strips), m")
       ->capture_default_str()
       ->group(group);
   app.add_option("--bootstrap-replicates", a.summary.bootstrap.replicates, "of the intervals")
@@ -152,7 +153,7 @@ void add_statistics_options(CLI::App& app, EvaluateArguments& a) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str()
       ->group(group);
-  app.add_flag("--bca", a.summary.bootstrap.bca, "bias-corrected and accelerated intervals")
+  app.add_flag("--bca", a.summary.bootstrap.bca, "compute bias-corrected and accelerated intervals")
       ->group(group);
 }
 
@@ -205,7 +206,7 @@ results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   }
   if (!a.reference_lines.empty()) options.reference_lines = a.reference_lines;
   if (options.cloud_paths.empty()) {
-    throw std::invalid_argument("no cloud: give --cloud FILE, or --patch with a lidar key");
+    throw std::invalid_argument("no cloud: give --cloud FILE, or --patch with the key lidar");
   }
   if (options.patch_name.empty()) options.patch_name = results::cloud_name(options.cloud_paths);
   options.cloud = read_options(a);
@@ -238,7 +239,7 @@ results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
 void check_points_file(const EvaluateArguments& a, const std::vector<std::string>& inputs) {
   if (a.write_points.empty()) return;
   check(a.lines.size() == 1, "--write-points: there are ", a.lines.size(),
-        " line files; their planes differ, give one");
+        " line files, whose planes differ; give one");
   io::require_point_format(a.write_points);
   results::check_output_file(a.write_points, inputs, a.overwrite);
 }

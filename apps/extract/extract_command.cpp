@@ -40,7 +40,7 @@ io::PatchImage camera_of(const ExtractArguments& a) {
     if (chosen) return image;
   }
   throw io::IoError(a.patch, a.image_id.empty()
-                                 ? "has no image " + a.image + "; name one by --image-id"
+                                 ? "has no image " + a.image + "; select one with --image-id"
                                  : "has no image of id " + a.image_id);
 }
 
@@ -48,13 +48,13 @@ io::PatchImage camera_of(const ExtractArguments& a) {
 io::PatchImage image_of(const ExtractArguments& a) {
   io::PatchImage image;
   if (a.patch.empty()) {
-    check(a.image_id.empty(), "--image-id = ", a.image_id, ", needs --patch");
+    check(a.image_id.empty(), "--image-id = ", a.image_id, ", requires --patch");
   } else {
     image = camera_of(a);
   }
   image.path = a.image;
   if (a.window_px.empty()) return image;
-  check(!image.window, "--window: the patch says what is read of the image");
+  check(!image.window, "--window: cannot be combined with --patch, which defines the window");
   io::read_window_only(image, {a.window_px[0], a.window_px[1], a.window_px[2], a.window_px[3]});
   return image;
 }
@@ -80,7 +80,7 @@ int run_extract(const ExtractArguments& a) {
   }
   double total_px = 0.0;
   for (const EdgeSegment& segment : segments) total_px += length(segment.in_image);
-  say("{}: {} x {} px, {} bands: {} segments, {:.0f} px together\n", a.image, view.image.cols,
+  say("{}: {} x {} px, {} bands: {} segments, total length {:.0f} px\n", a.image, view.image.cols,
       view.image.rows, view.image.channels(), segments.size(), total_px);
   return kDone;
 }
@@ -90,19 +90,20 @@ int run_extract(const ExtractArguments& a) {
 Run add_extract(CLI::App& subcommand) {
   auto a = std::make_shared<ExtractArguments>();
   subcommand
-      .add_option("image", a->image, "TIFF, PNG, JPEG or JPEG 2000, 8 or 16 bit, 1 to 4 bands")
+      .add_option("image", a->image,
+                  "image: TIFF, PNG, JPEG or JPEG 2000, 8 or 16 bit, 1 to 4 bands")
       ->required();
   subcommand
       .add_option("--out", a->out,
-                  "CSV: ends, covariance, flanks; pixel (0,0) is the centre of the first")
+                  "CSV of ends, covariance and flanks; (0,0) is the centre of the first pixel")
       ->required();
-  subcommand.add_option("--overlay", a->overlay, "PNG of the image with its segments");
-  subcommand.add_option("--patch", a->patch, "patch file: removes the distortion of its camera");
-  subcommand.add_option("--image-id", a->image_id, "of the camera; default: the one of this file");
+  subcommand.add_option("--overlay", a->overlay, "write a PNG of the image with its segments");
+  subcommand.add_option("--patch", a->patch, "patch file whose camera removes the lens distortion");
+  subcommand.add_option("--image-id", a->image_id,
+                        "id of the image in the patch; default: the one with this file");
   subcommand
-      .add_option(
-          "--window", a->window_px,
-          "part of the image to be read: column,row,columns,rows; segments are in its pixels")
+      .add_option("--window", a->window_px,
+                  "part of the image to read: column,row,columns,rows; segments are in its pixels")
       ->delimiter(',')
       ->expected(4);
   add_overwrite_flag(subcommand, a->overwrite);

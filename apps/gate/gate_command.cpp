@@ -63,7 +63,7 @@ int write_template(const std::string& file) {
     return kDone;
   }
   if (fs::exists(fs::symlink_status(file))) {
-    throw io::IoError(file, "exists already; --init writes a new file");
+    throw io::IoError(file, "already exists; --init only creates new files");
   }
   io::write_file(file, gates_template());
   return kDone;
@@ -71,10 +71,10 @@ int write_template(const std::string& file) {
 
 void check_given(const GateArguments& a) {
   if (!a.results.empty() && !a.gates.empty()) return;
-  throw std::invalid_argument(fmt::format(
-      "gate: {} missing; both RESULTS and --gates FILE must be given. `ridgeline gate --init` "
-      "prints a gates file to start from",
-      a.results.empty() ? "RESULTS is" : "--gates is"));
+  throw std::invalid_argument(
+      fmt::format("gate: {} missing; RESULTS and --gates FILE are required. `ridgeline gate "
+                  "--init` prints a gates file to start from",
+                  a.results.empty() ? "RESULTS is" : "--gates is"));
 }
 
 int run_gate(const GateArguments& a) {
@@ -98,19 +98,19 @@ int run_gate(const GateArguments& a) {
 Run add_gate(CLI::App& subcommand) {
   auto a = std::make_shared<GateArguments>();
   CLI::Option* results = subcommand.add_option("results", a->results,
-                                               "folder that run, block, demo or evaluate wrote");
+                                               "results folder of run, block, demo or evaluate");
   CLI::Option* gates = subcommand.add_option("--gates", a->gates, "gates file (YAML)");
   CLI::Option* baseline = subcommand.add_option(
       "--baseline", a->baseline,
-      "results of an earlier run on the same data, for gates that refer to a baseline");
-  subcommand.add_option("--junit", a->junit, "write JUnit XML, one testcase per gate");
-  subcommand.add_option("--summary", a->summary, "write Markdown for the job's page");
+      "results folder of an earlier run on the same data, for gates with a baseline");
+  subcommand.add_option("--junit", a->junit, "write JUnit XML with one test case per gate");
+  subcommand.add_option("--summary", a->summary,
+                        "write a Markdown summary for the page of a CI job");
   subcommand.add_option("--json", a->json, "write the verdicts as JSON");
   add_overwrite_flag(subcommand, a->overwrite);
-  CLI::Option* init = subcommand.add_option(
-      "--init", a->init,
-      "print a gates file with every key and metric explained, or write it to a new FILE; "
-      "alone, without results");
+  CLI::Option* init = subcommand.add_option("--init", a->init,
+                                            "print a commented gates file with all keys and "
+                                            "metrics, or write it to a new FILE; takes no results");
   init->expected(0, 1)->type_name("[FILE]")->excludes(results, gates, baseline);
   return [a, init] {
     a->is_init = init->count() > 0;

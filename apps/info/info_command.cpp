@@ -36,14 +36,11 @@ namespace ridgeline::apps {
 namespace {
 
 constexpr const char* kKnownKinds =
-    "known are point clouds (LAS, LAZ, COPC, PCD, PLY, text), lines (GeoJSON, GeoPackage, "
-    "Shapefile, DXF, CSV, WKT, OBJ, "
-    "PLY), models of buildings (CityJSON, CityGML), images (TIFF, PNG, JPEG, JPEG 2000), "
-    "orientations (omega-phi-kappa, OpenSfM, Pix4D, "
-    "Inpho, PAT-B, "
+    "supported are point clouds (LAS, LAZ, COPC, PCD, PLY, text), lines (GeoJSON, GeoPackage, "
+    "Shapefile, DXF, CSV, WKT, OBJ, PLY), building models (CityJSON, CityGML), images (TIFF, PNG, "
+    "JPEG, JPEG 2000), orientations (omega-phi-kappa, OpenSfM, Pix4D, Inpho, PAT-B, "
     "BlocksExchange, Metashape, COLMAP), patch, gates and config files, tables of matches and "
-    "segments, and folders of "
-    "patches and of results";
+    "segments, patch folders and results folders";
 
 /// The unit of the file, with the name that the reference system gives it if both have the same
 /// unit.
@@ -58,7 +55,7 @@ std::string unit_text(double unit_m, double crs_unit_m, const std::string& crs_u
 void print_crs(const io::CrsFacts& crs, const Eigen::Vector3d& unit_m, bool states_unit) {
   fmt::print("  crs         {}\n", crs.name);
   if (!states_unit) {
-    fmt::print("  units       not stated, taken as metre\n");
+    fmt::print("  units       unknown, assuming metres\n");
     return;
   }
   fmt::print("  units       {} in plan, {} in height\n",
@@ -75,13 +72,12 @@ void print_crs(const io::Crs& crs) {
 /// Prints the scale of a projected reference system in the middle of the data.
 void print_scale(const std::optional<io::GridScale>& scale) {
   if (!scale) return;
-  fmt::print("  scale       the plan is {}\n", io::scale_text(*scale));
+  fmt::print("  scale       map scale {}\n", io::scale_text(*scale));
   if (!scale->in_area_of_use) {
-    fmt::print("  warning     that lies outside of the reference system's area of use\n");
+    fmt::print("  warning     outside the reference system's area of use\n");
   } else if (!scale->is_true()) {
     fmt::print(
-        "  warning     the plan is not true to scale: evaluate refuses it unless "
-        "--scale-to-ground is given\n");
+        "  warning     the plan is not true to scale; evaluate requires --scale-to-ground\n");
   }
 }
 
@@ -112,7 +108,7 @@ void print_cloud(const std::string& path, double max_resolution_m) {
   if (facts.n_non_finite > 0) fmt::print("  not finite  {}\n", facts.n_non_finite);
   print_bounds(facts.bounds);
   if (facts.density_per_m2) {
-    fmt::print("  density     {:.2f} points/m2 where there are points\n", *facts.density_per_m2);
+    fmt::print("  density     {:.2f} points/m2 where not empty\n", *facts.density_per_m2);
   }
   print_counts("classes", facts.n_by_class);
   print_counts("returns", facts.n_by_return);
@@ -131,7 +127,7 @@ void print_cloud(const std::string& path, double max_resolution_m) {
 void print_buildings(const io::LineSet& set) {
   std::map<std::string, std::size_t> lods, kinds;
   for (const io::Building& building : set.model->buildings)
-    ++lods[building.lod.empty() ? "of no stated LoD" : "of LoD " + building.lod];
+    ++lods[building.lod.empty() ? "of unknown LoD" : "of LoD " + building.lod];
   for (const io::Line& line : set.lines) ++kinds[line.kind];
   const auto listed = [](const std::map<std::string, std::size_t>& counts) {
     return transformed(
@@ -147,7 +143,7 @@ void print_lines(const std::string& path) {
   const io::LineSet set = io::read_lines(path);
   const io::LineFacts facts = io::line_facts(set);
   const std::string unit = io::describe(set.crs).horizontal_unit_name;
-  fmt::print("{}: {}\n  lines       {}, {:.1f} {} together\n", path, set.format, facts.n_lines,
+  fmt::print("{}: {}\n  lines       {}, total length {:.1f} {}\n", path, set.format, facts.n_lines,
              facts.total_length, unit == "metre" ? "m" : unit);
   if (facts.n_polylines > 0) fmt::print("  polylines   {}\n", facts.n_polylines);
   if (facts.n_non_finite > 0) fmt::print("  not finite  {}\n", facts.n_non_finite);
@@ -207,10 +203,10 @@ void print_edges(const std::string& path, const io::ImageFacts& facts) {
     view.corner_px = {middle.column, middle.row};
     view.segments = reconstruct::extract(view);
     const reconstruct::EdgeFacts edges = edge_facts(view);
-    fmt::print("  edges       of the middle {} x {} px{}\n", size.width, size.height,
+    fmt::print("  edges       in the central {} x {} px{}\n", size.width, size.height,
                edges.noise ? fmt::format(", noise {:.2g} %", 100.0 * *edges.noise) : "");
     for (const reconstruct::EdgesOfScale& scale : edges.scales)
-      fmt::print("              at {} size: {} segment{}, {:.0f} px long in all{}\n",
+      fmt::print("              at {} size: {} segment{}, total length {:.0f} px{}\n",
                  scale.scale_px == 1 ? "full" : fmt::format("1/{}", scale.scale_px),
                  scale.n_segments, scale.n_segments == 1 ? "" : "s", scale.length_px,
                  scale.width_px ? fmt::format(", {:.1f} px wide (sigma)", *scale.width_px) : "");
@@ -223,7 +219,7 @@ void print_image(const std::string& path) {
   fmt::print("{}: {}\n  size        {} x {} px\n  bands       {} of {} bit\n", path, facts.format,
              facts.width_px, facts.height_px, facts.n_bands, facts.bits);
   if (facts.turn != io::ImageTurn::kNone)
-    fmt::print("  turn        EXIF orientation {}\n", static_cast<int>(facts.turn));
+    fmt::print("  rotation    EXIF orientation {}\n", static_cast<int>(facts.turn));
   print_radiometry(path, facts);
   print_edges(path, facts);
   print_use(
@@ -327,7 +323,7 @@ bool is_named_as_lines(const std::string& path) {
 [[noreturn]] void refuse(const std::string& path, const io::FileKind& kind) {
   const std::string advice = kind.advice.empty() ? "" : ", " + kind.advice;
   const std::string what = kind.is_known()     ? kind.what + advice
-                           : kind.what.empty() ? "of a kind that is not known"
+                           : kind.what.empty() ? "of an unknown kind"
                                                : kind.what;
   throw io::IoError(path, fmt::format("is {}; {}", what, kKnownKinds));
 }
@@ -396,20 +392,20 @@ void add_orientation_options(CLI::App& subcommand, OrientationArguments& a) {
   const auto add = [&](const char* name, auto& value, const char* help) {
     return subcommand.add_option(name, value, help)->group(kGroup);
   };
-  add("--cameras", a.cameras, "file of cameras (YAML), for orientations that state none");
+  add("--cameras", a.cameras, "camera file (YAML), for orientations without cameras");
   add("--images", a.images,
-      "folder of the images, which decide what the file leaves open; else that of the orientation");
-  add("--angles", a.angles, "unit of the angles: deg, gon or rad")
+      "folder of the images, for resolving ambiguities of the orientation; default: folder of the "
+      "orientation");
+  add("--angles", a.angles, "angle unit: deg, gon or rad")
       ->check(CLI::IsMember({"deg", "gon", "rad"}));
-  add("--rotation", a.rotation, "order of the rotations: opk (omega, phi, kappa) or pok")
+  add("--rotation", a.rotation, "rotation order: opk (omega, phi, kappa) or pok")
       ->check(CLI::IsMember({"opk", "pok"}));
-  add("--matrix", a.matrix, "what matrices of PAT-B turn: world_from_camera or camera_from_world")
+  add("--matrix", a.matrix, "direction of PAT-B matrices: world_from_camera or camera_from_world")
       ->check(CLI::IsMember({"world_from_camera", "camera_from_world"}));
-  add("--crs", a.crs,
-      "reference system of a file that states none, or to convert geocentric poses to");
+  add("--crs", a.crs, "reference system of a file without one, or the target for geocentric poses");
   add("--map", a.map,
-      "GeoPackage to write: footprints, camera positions, number of images a place");
-  add("--ground-height", a.ground_height_m, "height of the ground for the map, m");
+      "write a GeoPackage of footprints, camera positions and number of images per cell");
+  add("--ground-height", a.ground_height_m, "ground height for the map, m");
 }
 
 }  // namespace
@@ -417,12 +413,13 @@ void add_orientation_options(CLI::App& subcommand, OrientationArguments& a) {
 Run add_info(CLI::App& subcommand) {
   auto arguments = std::make_shared<InfoArguments>();
   subcommand
-      .add_option("files", arguments->files,
-                  "clouds, images, orientations, line files, patch files, gates, results, folders")
+      .add_option(
+          "files", arguments->files,
+          "clouds, images, orientations, line files, patch files, gates files, results or folders")
       ->required();
   subcommand
       .add_option("--max-resolution", arguments->max_resolution_m,
-                  "quick look: of COPC only the levels down to this point distance, m; 0: all")
+                  "quick look: read COPC levels only down to this point distance, m; 0: all")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   add_orientation_options(subcommand, arguments->orientation);

@@ -42,7 +42,7 @@ io::OrientationOptions options_of(const std::string& path, const OrientationArgu
 
 /// The name of a system; its definition if it has none, as PROJ strings.
 std::string crs_text(const io::Crs& crs) {
-  if (!crs.known()) return "not stated";
+  if (!crs.known()) return "unknown";
   const std::string name = io::describe(crs).name;
   return name == "unknown" ? crs.definition : name;
 }
@@ -59,7 +59,7 @@ void print_camera(const io::Camera& camera) {
   fmt::print("  camera      {}: {}focal length {} px, principal point {:.2f} {:.2f} px, {}\n",
              camera.name, size, focal_text, interior.principal_point_px.x(),
              interior.principal_point_px.y(),
-             interior.distortion.is_zero() ? "no distortion" : "Brown's distortion");
+             interior.distortion.is_zero() ? "no distortion" : "Brown distortion");
 }
 
 void print_positions(const io::Orientation& orientation) {
@@ -86,7 +86,7 @@ void write_map(const std::string& path,
   const std::optional<double> height_m =
       arguments.ground_height_m ? arguments.ground_height_m : orientation.ground_height_m;
   if (!height_m) {
-    throw io::IoError(path, "does not state the height of the ground; give --ground-height");
+    throw io::IoError(path, "has no ground height; give --ground-height");
   }
   io::write_orientation_map(arguments.map, orientation, *height_m);
   fmt::print("  map         {}, footprints at {:.1f} m\n", arguments.map, *height_m);
@@ -99,7 +99,7 @@ void print_orientation(const std::string& path, const OrientationArguments& argu
   fmt::print("{}: {}\n", path, orientation.format);
   print_images(orientation, image_folder(path, arguments));
   for (const io::Camera& camera : orientation.cameras) print_camera(camera);
-  if (orientation.cameras.empty()) fmt::print("  camera      not stated; give --cameras\n");
+  if (orientation.cameras.empty()) fmt::print("  camera      unknown; give --cameras\n");
   print_positions(orientation);
   if (orientation.ground_height_m)
     fmt::print("  ground      {:.1f} m\n", *orientation.ground_height_m);

@@ -63,7 +63,7 @@ void print_line_counts(const std::vector<evaluate::Evaluation>& evaluations) {
     n_judged += static_cast<std::size_t>(std::ranges::count(
         evaluation.lines, evaluate::Status::kEvaluated, &evaluate::LineEvaluation::status));
   }
-  fmt::print("  lines       {}, of which {} are judged\n", n_lines, n_judged);
+  fmt::print("  lines       {}, {} of them judged\n", n_lines, n_judged);
 }
 
 void print_evaluation(const std::string& path, const io::FileKind& kind) {

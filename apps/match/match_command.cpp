@@ -82,7 +82,7 @@ void check_outputs(const MatchArguments& a, const io::PatchFile& patch) {
   const std::vector<reconstruct::Matcher>& matchers = a.options.matching.matchers;
   check(a.provenance.empty() || std::find(matchers.begin(), matchers.end(),
                                           reconstruct::Matcher::kChio) != matchers.end(),
-        "provenance: lines of pairwise have none; needs --matcher chio");
+        "provenance: only lines of chio have one; requires --matcher chio");
   std::vector<std::string> others = results::paths_of(input_files(patch));
   std::vector<std::string> files = segment_files(a, patch);
   files.insert(files.end(), {a.out, a.overlay, a.provenance});
@@ -127,17 +127,18 @@ Run add_match(CLI::App& subcommand) {
   auto a = std::make_shared<MatchArguments>();
   subcommand.add_option("patch", a->patch, "patch file (YAML)")->required();
   subcommand
-      .add_option("--out", a->out,
-                  "CSV: left_id,right_id,score,votes,matcher; ids count the segments of each image")
+      .add_option(
+          "--out", a->out,
+          "CSV: left_id,right_id,score,votes,matcher; ids are the segment numbers of each image")
       ->required();
-  subcommand.add_option("--overlay", a->overlay, "PNG of both images with the matched segments");
-  subcommand.add_option(
-      "--segments", a->segments,
-      "folder for segments.IMAGE.csv of both images, whose ids the matches have; default: that of "
-      "--out, where reconstruct --matches looks for them");
+  subcommand.add_option("--overlay", a->overlay,
+                        "write a PNG of both images with the matched segments");
+  subcommand.add_option("--segments", a->segments,
+                        "folder for segments.IMAGE.csv of both images, which define the ids; "
+                        "default: the folder of --out, where reconstruct --matches expects them");
   add_matcher_option(subcommand, a->matchers);
   subcommand.add_option("--provenance", a->provenance,
-                        "CSV of the lines of chio: process, neighbour and height of each");
+                        "write a CSV with process, neighbour and height of each line of chio");
   add_pair_check_option(subcommand, a->max_y_parallax_px);
   add_overwrite_flag(subcommand, a->overwrite);
   add_image_size_option(subcommand, a->max_image_mpx);

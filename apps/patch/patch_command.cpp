@@ -46,8 +46,7 @@ void set_area(const std::string& text, PatchTemplate& patch) {
 
 void check_new(const std::string& file) {
   if (fs::exists(fs::symlink_status(file))) {
-    throw io::IoError(file,
-                      "is there already; a new patch file is written only where there is none");
+    throw io::IoError(file, "already exists; --init only creates new files");
   }
 }
 
@@ -69,10 +68,10 @@ int run_patch_command(PatchArguments a) {
   if (!a.area.empty()) set_area(a.area, a.patch);
   if (a.patch.id.empty()) a.patch.id = fs::path(a.file).stem().string();
   check(!a.patch.height_range_m.empty() || !a.patch.lidar.empty() || !a.patch.surface_model.empty(),
-        "the heights to search are open; name --lidar, --surface-model or --height-range");
+        "the heights to search are unknown; give --lidar, --surface-model or --height-range");
   const fs::path folder = fs::path(a.file).parent_path();
   write_and_check(a.file, patch_text(a.patch, folder.empty() ? "." : folder.string()));
-  say("{}: written. Next: ridgeline run {} --out results\n", a.file, a.file);
+  say("{} written. Next: ridgeline run {} --out results\n", a.file, a.file);
   return kDone;
 }
 
@@ -80,40 +79,39 @@ int run_patch_command(PatchArguments a) {
 
 Run add_patch(CLI::App& subcommand) {
   auto a = std::make_shared<PatchArguments>();
-  subcommand.add_option("--init", a->file, "the patch file to write; none may be there")
-      ->required();
+  subcommand.add_option("--init", a->file, "patch file to create; must not exist yet")->required();
   subcommand
-      .add_option("--orientation", a->patch.orientation, "file or folder of cameras and poses")
+      .add_option("--orientation", a->patch.orientation, "file or folder with cameras and poses")
       ->required();
   subcommand.add_option("--cameras", a->patch.cameras,
-                        "file of cameras, if the orientation states none");
+                        "camera file, if the orientation has no cameras");
   subcommand.add_option("--images", a->patch.images, "folder or pattern of the images")->required();
   subcommand
       .add_option("--area", a->area,
-                  "what to reconstruct: x_min,y_min,x_max,y_max, m, or a file of polygons")
+                  "area to reconstruct: x_min,y_min,x_max,y_max, m, or a polygon file")
       ->required();
-  subcommand.add_option("--max-views", a->patch.max_views, "images to use at most")
+  subcommand.add_option("--max-views", a->patch.max_views, "maximum number of images")
       ->check(CLI::Range(2, 100))
       ->default_val(io::kDefaultMaxViews);
-  subcommand.add_option("--lidar", a->patch.lidar, "files or patterns of laser data");
+  subcommand.add_option("--lidar", a->patch.lidar, "LIDAR files or patterns");
   subcommand.add_option("--surface-model", a->patch.surface_model,
-                        "raster of heights that gives the heights to search");
+                        "height raster that defines the heights to search");
   subcommand
       .add_option("--height-range", a->patch.height_range_m,
-                  "lowest,highest height of objects, m; default: from the surface model or lidar")
+                  "lowest,highest height of objects, m; default: from the surface model or LIDAR")
       ->delimiter(',')
       ->expected(2);
   subcommand.add_option("--crs", a->patch.crs,
                         "reference system; default: that of the orientation");
-  subcommand.add_option("--angles", a->patch.angles, "unit of the angles: deg, gon or rad")
+  subcommand.add_option("--angles", a->patch.angles, "angle unit: deg, gon or rad")
       ->check(CLI::IsMember({"deg", "gon", "rad"}));
-  subcommand.add_option("--rotation", a->patch.rotation, "order of the rotations: opk or pok")
+  subcommand.add_option("--rotation", a->patch.rotation, "rotation order: opk or pok")
       ->check(CLI::IsMember({"opk", "pok"}));
   subcommand
       .add_option("--matrix", a->patch.matrix,
-                  "what matrices of PAT-B turn: world_from_camera or camera_from_world")
+                  "direction of PAT-B matrices: world_from_camera or camera_from_world")
       ->check(CLI::IsMember({"world_from_camera", "camera_from_world"}));
-  subcommand.add_option("--id", a->patch.id, "name of the patch; default: that of the file");
+  subcommand.add_option("--id", a->patch.id, "id of the patch; default: name of the file");
   return [a] { return run_patch_command(*a); };
 }
 

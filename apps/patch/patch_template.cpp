@@ -57,30 +57,30 @@ class Writer {
 
 void write_images(const PatchTemplate& patch, Writer& out) {
   out.comment(
-      "Cameras and poses of the images, and what their file leaves open. `ridgeline info` reads "
-      "it, too.");
+      "Cameras and poses of the images, and conventions that their file does not define. Also read "
+      "by `ridgeline info`.");
   out.path("orientation", patch.orientation);
   out.path("cameras", patch.cameras);
   out.text("angles", patch.angles);
   out.text("rotation", patch.rotation);
   out.text("matrix", patch.matrix);
   out.gap();
-  out.comment("Folder or pattern of the images. They are found in the orientation by their names.");
+  out.comment("Folder or pattern of the images, which are matched to the orientation by name.");
   out.path("images", patch.images);
   out.gap();
   out.comment(
-      "What is to be reconstructed: [x_min, y_min, x_max, y_max], m, or a file of polygons. Only "
-      "the windows of the");
-  out.comment("images that show it are read.");
+      "Area to reconstruct: [x_min, y_min, x_max, y_max], m, or a polygon file. Only the image "
+      "windows");
+  out.comment("that show it are read.");
   patch.area_file.empty() ? out.numbers("area", patch.area_m) : out.path("area", patch.area_file);
-  out.comment("At most so many images are used, those that show the area best.");
+  out.comment("Maximum number of images; those that show the area best are used.");
   out.value("max_views", fmt::format("{}", patch.max_views));
 }
 
 void write_heights(const PatchTemplate& patch, Writer& out) {
   out.comment(
-      "Lowest and highest height of objects, m. auto: from lidar or surface_model, 10 m more on "
-      "both sides.");
+      "Lowest and highest height of objects, m. auto: from lidar or surface_model with a margin of "
+      "10 m.");
   if (patch.height_range_m.empty()) {
     out.value("height_range", "auto");
   } else {
@@ -94,13 +94,12 @@ void write_heights(const PatchTemplate& patch, Writer& out) {
 std::string patch_text(const PatchTemplate& patch, const std::string& folder) {
   Writer out(folder);
   out.comment(
-      "A patch: what belongs together in one reconstruction. Run it by `ridgeline run FILE --out "
-      "results`.");
+      "A patch: the inputs of one reconstruction. Run it with `ridgeline run FILE --out results`.");
   out.comment("Paths are relative to this file.");
   out.gap();
-  out.comment("Name of the patch, and of its folder in the results.");
+  out.comment("Name of the patch and of its folder in the results.");
   out.value("id", quoted(patch.id));
-  out.comment("Reference system. Without it that of the orientation holds.");
+  out.comment("Reference system; default: that of the orientation.");
   patch.crs.empty() ? out.comment("crs: EPSG:25832") : out.text("crs", patch.crs);
   out.gap();
   write_images(patch, out);
@@ -108,8 +107,8 @@ std::string patch_text(const PatchTemplate& patch, const std::string& folder) {
   write_heights(patch, out);
   out.gap();
   out.comment(
-      "Laser data that the lines are judged by: files or patterns. Without it lines are "
-      "reconstructed and not judged.");
+      "LIDAR to judge the lines against: files or patterns. Without it, lines are only "
+      "reconstructed.");
   patch.lidar.empty() ? out.comment("lidar: [tiles/*.laz]") : out.paths("lidar", patch.lidar);
   return out.whole();
 }

@@ -84,14 +84,14 @@ std::vector<double> heights_of_lidar(const io::PatchFile& patch) {
   if (!heights.empty()) return heights;
   const io::CrsAgreement agreement = io::compare(patch.crs, lidar.crs);
   throw io::IoError(patch.path,
-                    fmt::format("height_range: auto: no point of the lidar lies {}{}{}",
+                    fmt::format("height_range: auto: no LIDAR point lies {}{}{}",
                                 patch.area_m.empty() ? "where two images show it" : "in the area",
                                 agreement.compatible ? "" : "; ", agreement.reason));
 }
 
 std::vector<double> heights_of_model(const io::PatchFile& patch) {
   if (patch.area_m.empty()) {
-    throw io::IoError(patch.path, "height_range: auto with surface_model needs an area");
+    throw io::IoError(patch.path, "height_range: auto with surface_model requires an area");
   }
   const double unit_m = io::describe(patch.crs).horizontal_unit_m;
   Eigen::AlignedBox2d bounds = box_around(patch.area_m);

@@ -48,7 +48,7 @@ std::string reading_text(const CheckedPair& pair, const PairReading& reading) {
   if (reading.swapped) return "the images swapped";
   const auto& turned = reading.turned_deg;
   if (turned[0] != 0 || turned[1] != 0) {
-    return fmt::format("{} turned by {} degrees clockwise",
+    return fmt::format("{} rotated by {} degrees clockwise",
                        files_text(pair, turned[0] != 0, turned[1] != 0),
                        360 - std::max(turned[0], turned[1]));
   }
@@ -122,8 +122,7 @@ std::optional<std::string> check_pair(const CheckedPair& pair) {
   const PairFit fit = reconstruct::fit_of_pair(pair.points, pair.geometry, pair.limit_px);
   if (fit.n_points < fewest_points(pair)) {
     return fmt::format(
-        "{}: {} and {} show only {} points that were found in both; whether they fit their cameras "
-        "is not checked",
+        "{}: {} and {} have only {} tie points; the camera check of this pair is skipped",
         pair.patch.path, pair.paths[0], pair.paths[1], fit.n_points);
   }
   const std::vector<PairReading> fitting =
@@ -134,8 +133,8 @@ std::optional<std::string> check_pair(const CheckedPair& pair) {
   if (another_fits || fit.median_y_parallax_px > pair.limit_px) refuse(pair, fit, fitting);
   if (fit.share_that_fits < kUsualShare) {
     return fmt::format(
-        "{}: only {:.0f} % of {} points that {} and {} show lie within height_range [{}, {}]; "
-        "check it",
+        "{}: only {:.0f} % of {} tie points of {} and {} lie within height_range [{}, {}]; check "
+        "it",
         pair.patch.path, 100.0 * fit.share_that_fits, fit.n_points, pair.paths[0], pair.paths[1],
         pair.patch.height_range_m[0], pair.patch.height_range_m[1]);
   }
@@ -162,9 +161,8 @@ std::optional<std::string> doubt_of_units(const io::PatchFile& patch,
   const double pixel_m = pixel_on_object_m(view, scene.height_range_in_local_m);
   if (pixel_m >= kMinPixel_m && pixel_m <= kMaxPixel_m) return std::nullopt;
   return fmt::format(
-      "{}: a pixel of image {} is {:.2g} m long on the object; lengths of a patch are metres, as "
-      "are "
-      "the limits of the program: check the units of cameras and heights",
+      "{}: a pixel of image {} covers {:.2g} m on the ground; check that cameras and heights are "
+      "in metres",
       patch.path, view.id, pixel_m);
 }
 
@@ -177,10 +175,10 @@ std::optional<std::string> doubt_of_base(const io::PatchFile& patch,
   constexpr double kMaxBaseRatio = 1.0;
   const double ratio = reconstruct::common_place(scene, pair).base_to_height;
   if (ratio >= kMinBaseRatio && ratio <= kMaxBaseRatio) return std::nullopt;
-  return fmt::format("{}: the base of {} and {} is {:.2g} of the height; {}", patch.path,
+  return fmt::format("{}: the base-to-height ratio of {} and {} is {:.2g}; {}", patch.path,
                      patch.images[pair.base].path, patch.images[pair.search].path, ratio,
                      ratio < kMinBaseRatio ? "heights are uncertain below 0.05"
-                                           : "surfaces look too different above 1");
+                                           : "above 1 surfaces look too different");
 }
 
 }  // namespace
@@ -226,8 +224,8 @@ std::vector<std::string> check_matched_pairs(const io::PatchFile& patch,
     if (std::ranges::any_of(pairs, [&](const ViewPair& p) { return p.base == i || p.search == i; }))
       continue;
     doubts.push_back(
-        fmt::format("{}: {} shows less than a tenth of what each of the other images shows at the "
-                    "middle of height_range; it is matched with none of them",
+        fmt::format("{}: {} overlaps every other image by less than a tenth at the middle of "
+                    "height_range and is not matched",
                     patch.path, patch.images[i].path));
   }
   return doubts;

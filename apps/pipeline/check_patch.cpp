@@ -53,7 +53,7 @@ void check_size(const io::PatchImage& image, const io::ImageFacts& facts) {
                     fmt::format("{} x {} pixels; its camera has {} x {}{}", size.x(), size.y(),
                                 frame.x(), frame.y(),
                                 whole ? "; an image cut out of the frame needs window_px"
-                                      : fmt::format(", which does not hold the window at {}, {}",
+                                      : fmt::format(", which does not contain the window at {}, {}",
                                                     corner.x(), corner.y())));
 }
 
@@ -64,15 +64,15 @@ void check_window(const io::PatchImage& image, const io::ImageFacts& facts) {
   if (window.column + window.width <= size.x() && window.row + window.height <= size.y()) return;
   throw io::IoError(
       image.path,
-      fmt::format("{} x {} pixels do not hold the window of {} x {} at {}, {}", size.x(), size.y(),
-                  window.width, window.height, window.column, window.row));
+      fmt::format("{} x {} pixels do not contain the window of {} x {} at {}, {}", size.x(),
+                  size.y(), window.width, window.height, window.column, window.row));
 }
 
 void check_radiometry(const io::PatchImage& image, const io::ImageFacts& facts) {
   const std::size_t n = image.radiometry.size();
   if (n == 0 || n == static_cast<std::size_t>(facts.n_bands)) return;
   throw io::IoError(image.path,
-                    fmt::format("has {} bands; radiometry states {}", facts.n_bands, n));
+                    fmt::format("has {} bands, but radiometry has {}", facts.n_bands, n));
 }
 
 /// The segments that another detector found, if there are any, must lie in the image.
@@ -137,15 +137,14 @@ bool is_name_of_result(const std::string& id) {
 void check_id(const io::PatchFile& patch, const std::string& id) {
   if (!is_file_name(id) || !is_utf8(id)) {
     throw io::IoError(patch.path,
-                      fmt::format("id {} names a folder or file of the results; it must have 1 to "
-                                  "100 bytes of UTF-8, no slash, no control character, no dot in "
-                                  "front and no blank at its ends",
+                      fmt::format("id {} is used as a file name in the results; it must be 1 to "
+                                  "100 bytes of UTF-8 without slashes and control characters, not "
+                                  "start with a dot, and not start or end with a blank",
                                   io::excerpt(id)));
   }
   if (!is_name_of_result(id)) return;
-  throw io::IoError(patch.path, fmt::format("id '{}' is the name of a file of the results; choose "
-                                            "another one",
-                                            id));
+  throw io::IoError(patch.path,
+                    fmt::format("id '{}' is the name of a results file; choose another", id));
 }
 
 /// Ids that differ only in case are refused: some file systems take them for one name.
@@ -154,9 +153,9 @@ void check_image_ids(const io::PatchFile& patch) {
   for (const io::PatchImage& image : patch.images) {
     check_id(patch, image.id);
     if (seen.insert(io::lower_case(image.id)).second) continue;
-    throw io::IoError(patch.path, fmt::format("image id '{}' is there twice, upper and lower case "
-                                              "being the same; ids must differ",
-                                              image.id));
+    throw io::IoError(
+        patch.path,
+        fmt::format("image id '{}' appears twice (ignoring case); ids must be unique", image.id));
   }
 }
 
@@ -206,9 +205,11 @@ LocalFrame check_patch(const io::PatchFile& patch) {
       frame = reconstruct::local_frame(image.image_from_world, size_px.cast<double>(),
                                        patch.height_range_m);
     } else if (facts.n_bands != n_bands) {
-      throw io::IoError(image.path, fmt::format("{} bands, but {} has {}; all images of a patch "
-                                                "must have the same bands",
-                                                facts.n_bands, patch.images[0].path, n_bands));
+      throw io::IoError(
+          image.path,
+          fmt::format(
+              "{} bands, but {} has {}; all images of a patch must have the same number of bands",
+              facts.n_bands, patch.images[0].path, n_bands));
     }
     n_bands = facts.n_bands;
   }

@@ -23,10 +23,9 @@ void settle_heights(io::PatchFile& patch) {
   const AreaHeights heights = area_heights(patch);
   patch.height_range_m = heights.range_m;
   patch.decisions.push_back(fmt::format(
-      "{}: height_range: auto is {:.1f} to {:.1f} m: the lowest and the highest of {} {}, {:g} m "
-      "more on both sides",
+      "{}: height_range: auto is {:.1f} to {:.1f} m, the range of {} {} with a margin of {:g} m",
       patch.path, heights.range_m[0], heights.range_m[1], heights.n,
-      patch.heights == io::HeightSource::kLidar ? "lidar points" : "cells of the surface model",
+      patch.heights == io::HeightSource::kLidar ? "LIDAR points" : "cells of the surface model",
       kHeightMargin_m));
 }
 
@@ -48,10 +47,9 @@ void choose_images(io::PatchFile& patch) {
   warn_of_missing_files(patch);
   if (best.size() < 2) {
     throw io::IoError(
-        patch.path,
-        fmt::format("area: {} of {} images show it at the heights {:.1f} to {:.1f} m; at "
-                    "least two are needed",
-                    best.size(), n, patch.height_range_m[0], patch.height_range_m[1]));
+        patch.path, fmt::format("area: only {} of {} images show it at heights of {:.1f} to {:.1f} "
+                                "m; at least two are required",
+                                best.size(), n, patch.height_range_m[0], patch.height_range_m[1]));
   }
   patch.images = std::move(best);
   patch.decisions.push_back(fmt::format("{}: images of the area, {} of {}: {}", patch.path,
@@ -76,10 +74,10 @@ void settle_turn(io::PatchFile& patch, io::PatchImage& image) {
   const bool fits_turned = swaps_axes(image.facts->turn) && frame == stored.reverse();
   if (frame == stored || !fits_turned) return;
   image.turn = image.facts->turn;
-  patch.decisions.push_back(fmt::format(
-      "{}: is turned as the file says (EXIF orientation {}), because it fits its camera of "
-      "{} x {} pixels only then",
-      image.path, static_cast<int>(image.turn), frame.x(), frame.y()));
+  patch.decisions.push_back(
+      fmt::format("{}: rotated according to its EXIF orientation {}, because only then it matches "
+                  "its camera of {} x {} pixels",
+                  image.path, static_cast<int>(image.turn), frame.x(), frame.y()));
 }
 
 /// Columns and rows of a file when it has been turned; of a file that is missing those of its
@@ -96,7 +94,7 @@ void settle_window(io::PatchFile& patch, io::PatchImage& image) {
   const std::optional<io::Window> window = window_of_area(patch, image, turned_size_px(image));
   if (!window) {
     throw io::IoError(
-        patch.path, fmt::format("image {} does not show the area at the heights {:.1f} to {:.1f} m",
+        patch.path, fmt::format("image {} does not show the area at heights of {:.1f} to {:.1f} m",
                                 image.id, patch.height_range_m[0], patch.height_range_m[1]));
   }
   io::read_window_only(image, *window);
@@ -118,9 +116,8 @@ void warn_of_slow_files(io::PatchFile& patch) {
     if (slow) patch.warnings.push_back(*slow);
     if (!finds_radiometry_slowly(image)) continue;
     patch.warnings.push_back(
-        fmt::format("{}: the radiometry of a large JPEG 2000 takes long to find; state it by the "
-                    "key radiometry "
-                    "(ridgeline info {} prints it)",
+        fmt::format("{}: computing the radiometry of a large JPEG 2000 is slow; give it with the "
+                    "key radiometry (ridgeline info {} prints it)",
                     image.path, image.path));
   }
 }

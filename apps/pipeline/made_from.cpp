@@ -111,7 +111,7 @@ std::optional<std::string> MadeFrom::written_file(const std::string& stage,
       nlohmann::json::json_pointer() / stage / "files" / name;
   if (!stages_.contains(place)) return std::nullopt;
   std::string file = (folder_ / name).string();
-  if (!fs::exists(file)) throw io::IoError(file, "is no longer there");
+  if (!fs::exists(file)) throw io::IoError(file, "no longer exists");
   if (stages_[place] != io::sha256_of_file(file)) {
     throw io::IoError(file, "has changed since the run");
   }

@@ -183,7 +183,7 @@ void check_preset(const ParameterArguments& parameters,
   for (const reconstruct::Method method : methods) {
     check(method == reconstruct::Method::kDirect || method == reconstruct::Method::kJoint,
           "`preset` published: ", reconstruct::name(method),
-          " is not one of the papers' methods; must be direct or joint");
+          " is not a method of the papers; must be direct or joint");
   }
 }
 
@@ -221,7 +221,7 @@ std::vector<std::string> judge_parameter_names() {
 }
 
 std::string to_yaml(const Parameters& parameters) {
-  std::string text = "# Parameters of ridgeline: value  # meaning; range. Any may be left out.\n";
+  std::string text = "# Parameters of ridgeline: value  # meaning; range. All are optional.\n";
   Parameters p = parameters;
   for (const auto& [group, meaning] : kGroups) {
     text += fmt::format("\n{}:  # {}\n", group, meaning);
@@ -230,8 +230,8 @@ std::string to_yaml(const Parameters& parameters) {
           if (of == in) text += yaml_line(field, value);
         });
   }
-  return text + fmt::format("  {}: {}  # of PCL: msac, ransac or prosac\n", kConsensusKey,
-                            name(parameters.judge.method));
+  return text + fmt::format("  {}: {}  # sample consensus of PCL: msac, ransac or prosac\n",
+                            kConsensusKey, name(parameters.judge.method));
 }
 
 nlohmann::ordered_json echo(const Parameters& parameters) {

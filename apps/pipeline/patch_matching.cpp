@@ -75,8 +75,8 @@ void check_id(const std::string& file,
   if (id >= 0 && static_cast<std::size_t>(id) < segments.size()) return;
   throw io::IoError(
       file,
-      fmt::format("{} = {}, must be in 0..{}: the image has {} segments. Guided "
-                  "matches need the segments.IMAGE.csv of their run beside them",
+      fmt::format("{} = {}, must be in 0..{}: the image has {} segments. Guided matches need the "
+                  "segments.IMAGE.csv of their run next to them",
                   column, id, static_cast<std::ptrdiff_t>(segments.size()) - 1, segments.size()));
 }
 

@@ -94,9 +94,8 @@ std::vector<std::string> unused_segments(const io::PatchFile& patch,
     const std::size_t n_used = extracted(scene.views[i].segments).size();
     if (n_used == n) continue;
     warnings.push_back(fmt::format(
-        "{}: {} of {} segments are not used: they lie outside of the window that is read, beside "
-        "pixels without data, or where the distortion of the lens is unknown; ids of results count "
-        "the others",
+        "{}: {} of {} segments are ignored: they lie outside the window, next to pixels without "
+        "data, or where the lens distortion is unknown; ids of results count the remaining ones",
         *file, n - n_used, n));
   }
   return warnings;

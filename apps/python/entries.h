@@ -16,7 +16,7 @@ constexpr const char* name_of_type() {
   if constexpr (std::is_integral_v<T>) return "a whole number";
   if constexpr (std::is_floating_point_v<T>) return "a number";
   if constexpr (std::is_same_v<T, std::string>) return "a text";
-  return "a list of numbers or texts";
+  return "a list of numbers or strings";
 }
 
 /// Sets `value` if the dict has an entry of that name other than None. Throws std::invalid_argument

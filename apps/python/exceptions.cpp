@@ -55,7 +55,7 @@ std::string without_ticks(std::string message) {
 void add_exceptions(py::module_& core) {
   file_error = py::exception<io::IoError>(core, "InputFileError", PyExc_OSError).release();
   file_error.attr("__doc__") =
-      "A file is not what it should be; the message names it, what is wrong and the rule.";
+      "A file is invalid; the message names the file, the problem and the rule.";
   // NOLINTNEXTLINE(performance-unnecessary-value-param): the signature is pybind11's
   py::register_local_exception_translator([](std::exception_ptr thrown) {
     if (!thrown) return;

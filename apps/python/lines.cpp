@@ -61,7 +61,7 @@ void take_texts(const py::dict& arrays, std::vector<Line>& lines) {
     if (!arrays.contains(name) || arrays[name].is_none()) continue;
     const auto texts = arrays[name].cast<std::vector<std::string>>();
     check(texts.size() == lines.size(), name, ": ", texts.size(),
-          " texts; must be one for each of ", lines.size(), " lines");
+          " strings; must be one for each of ", lines.size(), " lines");
     for (std::size_t i = 0; i < lines.size(); ++i) lines[i].*member = texts[i];
   }
 }
@@ -87,7 +87,7 @@ void take_arrays(const py::dict& arrays, std::vector<Line>& lines) {
         if (!line.covariance_m2) return;
         check(line.covariance_m2->allFinite() && line.covariance_m2->diagonal().minCoeff() >= 0.0,
               "covariance_m2: that of line ", i,
-              " is no covariance, must be finite with variances of 0 or above, or all NaN");
+              " is not a covariance, must be finite with variances of at least 0, or all NaN");
       });
   for (const auto& [name, member] : kImageSegments) {
     take_array(arrays, name, {2, 2}, lines,
@@ -118,7 +118,7 @@ std::size_t write_lines(const std::string& path,
                         const py::dict& arrays,
                         const std::string& format) {
   const std::optional<io::LineFormat> known = io::line_format(format);
-  check(known.has_value(), "format = ", format, ", must be the name of one in line_formats");
+  check(known.has_value(), "format = ", format, ", must be a name in line_formats");
   const io::LineSet set = line_set_of(arrays, path);
   return interruptibly([&] { return io::write_lines(path, set, *known); });
 }

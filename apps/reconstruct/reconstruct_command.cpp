@@ -97,10 +97,9 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
   const reconstruct::Matched found = find_matches(scene, a);
   if (a.options.estimation.lines.method == reconstruct::Method::kPlanes &&
       std::ranges::none_of(found.pairs, [](const auto& p) { return p.surface.has_value(); })) {
-    throw io::IoError(
-        patch.path,
-        "--method planes: there is no surface to find planes in; the images cannot be "
-        "rectified to each other, or --config turns every key off that needs it");
+    throw io::IoError(patch.path,
+                      "--method planes: there is no surface to find planes in; the images cannot "
+                      "be rectified to each other, or --config turns off every key that uses it");
   }
   if (!a.surface.empty()) {
     write_whole_surface(a.surface, patch, frame,
@@ -121,9 +120,9 @@ io::LineFormat format_of(const ReconstructArguments& a) {
   };
   const bool fits = stated == by_ending || (is_table(stated) && is_table(by_ending));
   check(!stated || !by_ending || fits, "--format ", a.format, ": ", a.out,
-        " has the ending of another format; leave out --format or choose another name");
+        " has the extension of another format; omit --format or choose another name");
   check(stated || by_ending || fs::path(a.out).extension().empty(), "--out = ", a.out,
-        ": no known format has this ending; use another name or give --format");
+        ": no known format has this extension; use another name or give --format");
   if (stated) return *stated;
   return by_ending.value_or(io::LineFormat::kGeoJson);
 }
@@ -162,7 +161,7 @@ int run_reconstruct(ReconstructArguments a) {
                     [](const io::Line& line) { return all_finite(line.segment_in_world); });
   say("{}: {} lines by {}, {} without geometry{}\n", a.out, with_geometry, a.method,
       static_cast<std::ptrdiff_t>(lines.lines.size()) - with_geometry,
-      n_left_out > 0 ? ", left out of the file" : "");
+      n_left_out > 0 ? ", not written to the file" : "");
   return kDone;
 }
 
@@ -174,16 +173,17 @@ Run add_reconstruct(CLI::App& subcommand) {
   subcommand.add_option("--out", a->out, "file for the 3D lines")->required();
   subcommand
       .add_option("--method", a->method,
-                  fmt::format("{}. Default: lines; joint with --preset published",
+                  fmt::format("{}; default: lines, or joint with --preset published",
                               fmt::join(method_names(), ", ")))
       ->check(CLI::IsMember(method_names()));
   subcommand.add_option("--matches", a->matches,
-                        "matches.csv; its ids are those of segments.IMAGE.csv beside it, else of "
-                        "the segments extracted now. Default: match now");
-  subcommand.add_option("--format", a->format, "of --out; default: by its ending, else geojson")
+                        "matches.csv; ids refer to segments.IMAGE.csv next to it, else to newly "
+                        "extracted segments; default: match now");
+  subcommand
+      .add_option("--format", a->format, "format of --out; default: by its extension, else geojson")
       ->check(CLI::IsMember(line_format_names()));
   subcommand.add_option("--write-surface", a->surface,
-                        "LAS file for the points that dense matching of the pair knows");
+                        "write the points from dense matching of the pair to this LAS file");
   add_overwrite_flag(subcommand, a->overwrite);
   add_local_origin_flag(subcommand, a->local_origin);
   add_pair_check_option(subcommand, a->max_y_parallax_px);

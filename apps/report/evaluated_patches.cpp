@@ -50,7 +50,7 @@ std::string line_file(const fs::path& evaluation,
   if (inputs.is_of_files()) {
     const std::string given = inputs.lines_of(method);
     if (given.empty()) {
-      throw io::IoError(evaluation.string(), "the file of its lines is not known");
+      throw io::IoError(evaluation.string(), "its line file is unknown");
     }
     return inputs.unchanged(given);
   }

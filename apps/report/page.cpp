@@ -35,10 +35,10 @@ std::string report_page(std::string_view title, std::string_view data, const Fro
                                  evaluate::escape_xml(title));
   page += front_end.style;
   page +=
-      "</style>\n</head>\n<body>\n<noscript>This report is drawn by a script inside this file; "
-      "please allow it. The tables beside it, table2.md first, hold the same figures."
-      "</noscript>\n<div id=\"app\"></div>\n"
-      "<script type=\"application/json\" id=\"report-data\">";
+      "</style>\n</head>\n<body>\n<noscript>This report needs JavaScript, which is included in the "
+      "file; please allow it. The tables next to it, starting with table2.md, have the same "
+      "figures.</noscript>\n<div id=\"app\"></div>\n<script type=\"application/json\" "
+      "id=\"report-data\">";
   page += script_safe(data);
   page += "</script>\n<script>";
   page += front_end.script;

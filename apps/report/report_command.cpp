@@ -26,11 +26,12 @@ int run_report(const ReportArguments& a) {
 
 Run add_report(CLI::App& subcommand) {
   auto a = std::make_shared<ReportArguments>();
-  subcommand.add_option("results", a->results, "folder that evaluate, run, block or demo wrote")
+  subcommand.add_option("results", a->results, "results folder of evaluate, run, block or demo")
       ->required();
-  CLI::Option* gates =
-      subcommand.add_option("--gates", a->gates, "gates file (YAML), for the verdict on top");
-  subcommand.add_option("--baseline", a->baseline, "results of an earlier run on the same data")
+  CLI::Option* gates = subcommand.add_option(
+      "--gates", a->gates, "gates file (YAML) for the verdict at the top of the report");
+  subcommand
+      .add_option("--baseline", a->baseline, "results folder of an earlier run on the same data")
       ->needs(gates);
   add_page_options(subcommand, a->page);
   return [a] { return run_report(*a); };

@@ -30,7 +30,6 @@ namespace ridgeline::apps {
 namespace fs = std::filesystem;
 namespace {
 
-
 std::array<std::vector<EdgeSegment>, 2> segments_of(const ReportImages& images,
                                                     const ViewPair& views) {
   return {images.segments[views.base], images.segments[views.search]};
@@ -244,7 +243,7 @@ void read_run_data(const fs::path& folder, const RunInputs& inputs, ReportPatch&
     patch.judge = inputs.judge_options();
     patch.max_aligned_angle_deg = inputs.max_aligned_angle_deg();
     if (clouds.empty()) {
-      patch.notes.emplace_back("no LIDAR: lines are shown, but not judged");
+      patch.notes.emplace_back("no LIDAR: lines are shown but not judged");
     } else if (inputs.is_of_files() || patch.patch) {
       read_points(clouds, inputs, patch);
     }

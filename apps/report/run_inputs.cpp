@@ -31,7 +31,7 @@ RunInputs::RunInputs(const evaluate::Json& run, const std::string& file) {
                          input.at("bytes").get<std::uint64_t>()});
     }
   } catch (const evaluate::Json::exception& error) {
-    throw io::IoError(file, std::string("is no run's record: ") + error.what());
+    throw io::IoError(file, std::string("is not a run record: ") + error.what());
   }
 }
 
@@ -57,7 +57,7 @@ std::vector<std::string> RunInputs::given_paths() const {
 }
 
 std::string RunInputs::unchanged(const std::string& path) const {
-  if (!fs::exists(path)) throw io::IoError(path, "is no longer there");
+  if (!fs::exists(path)) throw io::IoError(path, "no longer exists");
   const bool is_folder = fs::is_directory(path);
   for (const Input& input : inputs_) {
     // a folder was recorded file by file
@@ -69,12 +69,12 @@ std::string RunInputs::unchanged(const std::string& path) const {
 }
 
 void RunInputs::refuse_changed(const Input& input) {
-  if (!fs::exists(input.path)) throw io::IoError(input.path, "is no longer there");
+  if (!fs::exists(input.path)) throw io::IoError(input.path, "no longer exists");
   if (!fs::is_regular_file(input.path)) return;
   const std::uintmax_t bytes = fs::file_size(input.path);
   if (bytes == input.bytes) return;
-  throw io::IoError(input.path, fmt::format("has changed since the run: {} bytes, it had {}", bytes,
-                                            input.bytes));
+  throw io::IoError(input.path, fmt::format("has changed since the run: {} bytes instead of {}",
+                                            bytes, input.bytes));
 }
 
 std::string RunInputs::lines_of(const std::string& method) const {

@@ -154,7 +154,7 @@ cv::Mat figure8(const ReportPatch& patch, const ShownScene& shown, std::size_t m
                   {LegendMark::kLine, {colour::kBlue}, "lines not aligned"},
                   {LegendMark::kPoints,
                    {plane_colour(2), plane_colour(3), plane_colour(4)},
-                   "points of a plane, a colour each"},
+                   "points, coloured by plane"},
                   {LegendMark::kPoints, {kNoPlane}, "other points"}},
        .px_per_m = scene.px_per_m(),
        .scale_note = "across the view"});

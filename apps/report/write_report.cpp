@@ -94,7 +94,7 @@ std::string write_report_of(const ReportInput& input,
 }  // namespace
 
 void add_report_flag(CLI::App& app, bool& report) {
-  app.add_flag("!--no-report", report, "leave out report.html and the figures beside it");
+  app.add_flag("!--no-report", report, "do not write report.html and its figures");
 }
 
 std::string write_report(const std::string& folder,
@@ -106,7 +106,7 @@ std::string write_report(const std::string& folder,
     input.run["page"].update(page);
     return write_report_of(input, folder, gates);
   } catch (const evaluate::Json::exception& error) {
-    throw io::IoError(folder, std::string("a file of its results is damaged: ") + error.what());
+    throw io::IoError(folder, std::string("a results file is damaged: ") + error.what());
   }
 }
 
@@ -116,7 +116,8 @@ void write_report_of_run(const std::string& folder, bool is_wanted) {
       say("Report: {}\n", write_report(folder));
       return;
     } catch (const std::exception& error) {
-      spdlog::warn("the results are complete, but their report is not written: {}", error.what());
+      spdlog::warn("the results are complete, but the report could not be written: {}",
+                   error.what());
     }
   }
   try {
@@ -124,7 +125,7 @@ void write_report_of_run(const std::string& folder, bool is_wanted) {
     remove_patch_pages(out, folder);
     out.remove(kReportFile);
   } catch (const std::exception& error) {
-    spdlog::warn("the report of an earlier run is not removed: {}", error.what());
+    spdlog::warn("the report of an earlier run could not be removed: {}", error.what());
   }
 }
 

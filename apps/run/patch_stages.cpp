@@ -32,7 +32,7 @@ namespace ridgeline::apps {
 namespace {
 
 static_assert(evaluate::kCombinedMatches == reconstruct::kBothMatchers,
-              "gates find the combined matches by it");
+              "reserved for the combined matches");
 
 /// The list of matches that lines are reconstructed from. With two matchers it is the combined
 /// list.
@@ -329,7 +329,7 @@ void PatchStages::reconstruct(reconstruct::Method method) {
     const std::size_t n_left_out =
         io::write_lines(path(file), lines, info.format, {.local_origin = options_.local_origin});
     if (n_left_out == 0) continue;
-    spdlog::info("{}/{}: {} lines without geometry are left out", patch_.id, file, n_left_out);
+    spdlog::info("{}/{}: {} lines without geometry are not written", patch_.id, file, n_left_out);
   }
 }
 

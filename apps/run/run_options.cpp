@@ -15,10 +15,10 @@ namespace ridgeline::apps {
 void add_block_flags(CLI::App& app, RunFlags& flags) {
   add_method_options(app, flags.parameters);
   add_judge_options(app, flags.parameters);
-  app.add_option(
-         "--methods", flags.methods,
-         fmt::format("of reconstruction: {}. Default: lines; direct,joint with --preset published",
-                     fmt::join(method_names(), ", ")))
+  app.add_option("--methods", flags.methods,
+                 fmt::format("methods of reconstruction: {}; default: lines, or direct,joint with "
+                             "--preset published",
+                             fmt::join(method_names(), ", ")))
       ->delimiter(',')
       ->allow_extra_args(false)  // a patch file may follow
       ->check(CLI::IsMember(method_names()));
@@ -29,28 +29,30 @@ void add_block_flags(CLI::App& app, RunFlags& flags) {
   add_image_size_option(app, flags.options.max_image_mpx);
   add_report_flag(app, flags.options.report);
   add_page_options(app, flags.options.page);
-  app.add_option("--gross-m", flags.options.summary.gross_m, "a line farther off is a gross error")
+  app.add_option("--gross-m", flags.options.summary.gross_m,
+                 "distance above which a line is a gross error, m")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
 }
 
 void add_run_flags(CLI::App& app, RunFlags& flags) {
   add_block_flags(app, flags);
-  app.add_option("--lines-format", flags.line_formats, "of the 3D lines, beside GeoJSON")
+  app.add_option("--lines-format", flags.line_formats,
+                 "more formats of the 3D lines, in addition to GeoJSON")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(line_format_names()));
   add_local_origin_flag(app, flags.options.local_origin);
   add_decoys_option(app, flags.options.n_decoys);
   app.add_flag("--resume", flags.options.resume,
-               "skip what an earlier run with the same inputs and options has finished");
+               "skip stages finished by an earlier run with the same inputs and options");
   app.add_option("--until", flags.options.until,
                  "last stage: extract, match, reconstruct or evaluate. Later results of an earlier "
                  "run are removed, with --resume only if they no longer fit")
       ->check(CLI::IsMember({"extract", "match", "reconstruct", kLastStage}))
       ->capture_default_str();
   app.add_option("--assume-crs", flags.options.assume_crs.definition,
-                 "CRS of patches, clouds and reference lines in place of their own");
+                 "CRS of patches, clouds and reference lines, overriding theirs");
 }
 
 RunOptions run_options(const RunFlags& flags) {

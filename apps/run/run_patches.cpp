@@ -37,8 +37,8 @@ std::vector<CheckedPatch> read_patches(const std::vector<std::string>& files,
     patch.max_image_mpx = options.max_image_mpx;
     const auto [other, is_new] = file_of_id.emplace(io::lower_case(patch.id), file);
     if (!is_new) {
-      throw io::IoError(file, fmt::format("id {} is that of {}, too, upper and lower case "
-                                          "being the same; results are named after it",
+      throw io::IoError(file, fmt::format("id {} is also that of {} (ignoring case); ids must be "
+                                          "unique, as results are named after them",
                                           patch.id, other->second));
     }
     const LocalFrame frame = check_patch(patch);
@@ -120,8 +120,9 @@ std::vector<std::string> same_pictures(const io::PatchFile& patch,
   for (const io::PatchImage& image : patch.images) {
     const auto [other, is_new] = path_of_hash.emplace(record.hash_of(image.path), image.path);
     if (is_new) continue;
-    warnings.push_back(fmt::format("{}: {} and {} hold the same picture; each view needs its own",
-                                   patch.path, other->second, image.path));
+    warnings.push_back(
+        fmt::format("{}: {} and {} have the same pixels; views must have different images",
+                    patch.path, other->second, image.path));
   }
   return warnings;
 }
@@ -134,9 +135,10 @@ std::vector<std::string> early_warnings(const std::vector<CheckedPatch>& patches
     std::ranges::copy(patch.warnings, std::back_inserter(warnings));
     std::ranges::move(same_pictures(patch, record), std::back_inserter(warnings));
     if (patch.images.size() == 2 || all_views) continue;
-    warnings.push_back(fmt::format(
-        "{}: {} images; the papers use two: lines are reconstructed from the first ones, {} and {}",
-        patch.path, patch.images.size(), patch.images[0].id, patch.images[1].id));
+    warnings.push_back(
+        fmt::format("{}: {} images; the published methods use two: reconstructing from the first "
+                    "ones, {} and {}",
+                    patch.path, patch.images.size(), patch.images[0].id, patch.images[1].id));
   }
   return warnings;
 }

@@ -69,7 +69,7 @@ void compare_with_first(const ResultFolder& first,
                         ComparisonReport& report) {
   if (first.input_hashes != other.input_hashes) {
     report.warnings.push_back(other.name + ": its input hashes differ from those of " + first.name +
-                              "; differences of the data are in the figures");
+                              "; the figures include the differences of the data");
   }
   for (const Evaluation& a : first.evaluations) {
     const Evaluation* b = counterpart(a, first, other);
@@ -102,7 +102,7 @@ ComparisonReport compare_folders(std::span<const ResultFolder> folders) {
     compare_with_first(folders.front(), other, report);
   }
   check(!report.comparisons.empty(), "compare: no patch of ", folders.front().name,
-        " has a counterpart; folders must share a patch and a method");
+        " is in another folder; folders must share a patch and a method");
   return report;
 }
 

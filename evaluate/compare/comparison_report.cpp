@@ -71,11 +71,10 @@ std::string comparison_text(const Comparison& c, Markup markup) {
   if (c.in_space) {
     std::string how;
     if (c.n_views_a && c.n_views_b)
-      how = fmt::format("A used {} images, B {}. ", *c.n_views_a, *c.n_views_b);
+      how = fmt::format("A used {} images, B used {}. ", *c.n_views_a, *c.n_views_b);
     how += fmt::format(
-        "Lines are paired in space, one to one with the smallest sum of distances: at most {} m "
-        "and {} "
-        "degrees apart, side by side over half of the shorter one.",
+        "Lines are paired one to one with the smallest sum of distances: at most {} m and {} "
+        "degrees apart, overlapping by half of the shorter one.",
         kMaxPairDistance_m, kMaxPairAngle_deg);
     text += paragraph(how, markup) + "\n";
   }
@@ -87,18 +86,17 @@ std::string comparison_text(const Comparison& c, Markup markup) {
     text += fmt::format("\nToo few clusters ({}) for reliable intervals.\n", n_clusters);
   }
   if (c.n_only_a + c.n_only_b > 0) {
-    text +=
-        "\n" + captioned("Lines without a partner, by judged distance:", alone_table(c), markup);
+    text += "\n" + captioned("Unpaired lines, by distance:", alone_table(c), markup);
   }
   const TextTable worst = worst_table(c);
   if (!worst.empty()) {
-    text += "\n" + captioned("Lines that lost most from A to B:", worst, markup);
+    text += "\n" + captioned("Lines with the largest increase from A to B:", worst, markup);
   }
   if (c.n_not_aligned_differing.value_or(0) > 0) {
-    text += "\n" + paragraph(fmt::format("Warning: direct and joint differ on {} not_aligned "
-                                         "lines, which both solve by the same code: a defect of "
-                                         "the tool.",
-                                         *c.n_not_aligned_differing),
+    text += "\n" + paragraph(fmt::format(
+                                 "Warning: direct and joint differ on {} not_aligned lines, "
+                                 "although both use the same code for them: a defect of ridgeline.",
+                                 *c.n_not_aligned_differing),
                              markup);
   }
   return text + "\n";

@@ -71,8 +71,8 @@ TextTable table_of(std::span<const MatcherFigures> rows) {
 std::string text_of(std::span<const MatcherFigures> rows, Markup markup) {
   return table_of(rows).text(markup) + "\n" +
          paragraph(
-             "Alone: matches that no other run has, where there are reference matches the correct "
-             "ones. Lines of the last method; n: those judged of all, and those on a true line.",
+             "Alone: matches found by no other run (with reference matches, only the correct "
+             "ones). Lines of the last method; n: judged of all lines, and lines on a true line.",
              markup);
 }
 

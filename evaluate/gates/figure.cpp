@@ -68,14 +68,15 @@ std::string why_no_class(const Evaluation& e, const std::string& line_class) {
 }
 
 std::string why_no_value(const Summary& cell, const std::string& metric) {
-  if (cell.n_lines == 0) return "there is no line of class " + cell.line_class;
+  if (cell.n_lines == 0) return "no line has class " + cell.line_class;
   if (cell.n_evaluated == 0) {
     return fmt::format("none of the {} lines of class {} was evaluated", cell.n_lines,
                        cell.line_class);
   }
   if (cell.n_parts == 0 && metric_count(cell, metric) == 0) {
-    return fmt::format("none of the {} lines is a ridge or hip whose parts could be told",
-                       cell.n_evaluated);
+    return fmt::format(
+        "none of the {} lines is a ridge or hip with separate horizontal and vertical errors",
+        cell.n_evaluated);
   }
   return fmt::format("n = {} lines have no {}", cell.n_evaluated, metric);
 }
@@ -112,8 +113,8 @@ Figure building_figure(const Evaluation& e, const std::string& line_class, const
   figure.n = buildings.size();
   if (buildings.empty()) {
     figure.why_missing =
-        "no line of a building was judged; models of buildings and files with a column "
-        "building name them";
+        "no line with a building was judged; buildings come from building models or from the "
+        "column building";
     return figure;
   }
   const auto n_within = std::ranges::count_if(buildings, [&](const auto& building) {
@@ -130,7 +131,7 @@ Figure decoy_figure(const Evaluation& e, const Gate& gate) {
   });
   if (found == e.decoys.end()) {
     figure.why_missing = e.decoys.empty() ? "no lines were moved on purpose (`decoys`)"
-                                          : fmt::format("no line was moved so ({}, {} m)",
+                                          : fmt::format("no line was moved that way ({}, {} m)",
                                                         *gate.kind, *gate.distance_m);
     return figure;
   }
@@ -181,7 +182,7 @@ std::string why_no_method(const std::string& method,
                           const std::vector<std::string_view>& methods,
                           const ResultFolder& folder) {
   std::string why =
-      fmt::format("there is no method {}; there are: {}", method, fmt::join(methods, ", "));
+      fmt::format("there is no method {}; available: {}", method, fmt::join(methods, ", "));
   const bool is_method = std::ranges::find(kMethodsByRank, method) != kMethodsByRank.end();
   if (is_method && !folder.is_of_line_files)
     why += fmt::format("; run with `methods` {},{}", fmt::join(methods, ","), method);
@@ -221,7 +222,7 @@ Figure matching_figure(const Table1Row& row, const std::string& metric) {
   figure.value = metric_value(row.counts, metric);
   figure.ci95 = metric_interval(row.counts, metric);
   figure.n = metric_count(row.counts, metric);
-  if (!figure.value) figure.why_missing = "the reference matches say nothing of these matches";
+  if (!figure.value) figure.why_missing = "none of these matches is in the reference";
   return figure;
 }
 
@@ -229,12 +230,12 @@ std::string why_no_matching(const Gate& gate,
                             const std::vector<std::string_view>& matchers,
                             const ResultFolder& folder) {
   if (folder.is_of_line_files) {
-    return gate.metric + " is a figure of matching; run and demo have it, evaluate judges lines";
+    return gate.metric + " measures matching, which run and demo do but evaluate does not";
   }
   if (matchers.empty()) {
-    return "the matches were not judged; that needs reference_matches in the patch file";
+    return "the matches were not judged; the patch file needs reference_matches";
   }
-  return fmt::format("there is no matcher {}; there are: {}", gate.method.value_or(kNoMethod),
+  return fmt::format("there is no matcher {}; available: {}", gate.method.value_or(kNoMethod),
                      fmt::join(matchers, ", "));
 }
 
@@ -264,9 +265,9 @@ std::vector<Figure> matching_figures(const Gate& gate,
 }
 
 std::string why_no_tracks(const Gate& gate, const ResultFolder& folder) {
-  if (gate.method) return gate.metric + " is of all tracks of a run, so method must be left out";
-  if (folder.is_of_line_files) return gate.metric + " is a figure of tracks; run has it";
-  return "the tracks were not judged; that needs reference_tracks in the patch file";
+  if (gate.method) return gate.metric + " covers all tracks of a run, so method must be omitted";
+  if (folder.is_of_line_files) return gate.metric + " measures tracks, which only run makes";
+  return "the tracks were not judged; the patch file needs reference_tracks";
 }
 
 Figure track_figure(const Gate& gate,
@@ -281,7 +282,7 @@ Figure track_figure(const Gate& gate,
     Figure figure = empty_figure(patch, kNoMethod, line_class);
     figure.value = metric_value(cell.counts, gate.metric);
     figure.n = metric_count(cell.counts, gate.metric);
-    if (!figure.value) figure.why_missing = "there is no such true edge, or no track of one";
+    if (!figure.value) figure.why_missing = "no such true edge exists, or none has a track";
     return figure;
   }
   return missing_figure(gate, patch, line_class, "tracks have no class " + line_class);
@@ -311,7 +312,7 @@ std::vector<Figure> figures_of(const Gate& gate,
         gate, patch, line_class,
         patches.empty()
             ? "there are no results"
-            : fmt::format("there is no patch {}; there are: {}", patch, fmt::join(patches, ", "))));
+            : fmt::format("there is no patch {}; available: {}", patch, fmt::join(patches, ", "))));
   }
   return result;
 }

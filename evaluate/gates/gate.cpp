@@ -44,7 +44,7 @@ void check_allowances(const Gate& gate, const Metric& metric) {
   if (gate.max_increase_over_baseline) {
     const std::optional<double>& value = gate.max_increase_over_baseline->value;
     check(value || metric.unit == MetricUnit::kMetres,
-          "max_increase_over_baseline: default; that is of figures in metres, and ", metric.name,
+          "max_increase_over_baseline: default; only for figures in metres, but ", metric.name,
           " is a share, so it must be a number");
     check_allowance("max_increase_over_baseline", value.value_or(0.0));
   }
@@ -54,24 +54,23 @@ void check_allowances(const Gate& gate, const Metric& metric) {
 void check_decoys(const Gate& gate) {
   if (!is_decoy_metric(gate.metric)) {
     check(!gate.kind && !gate.distance_m, gate.kind ? "kind: " : "distance_m: ", gate.metric,
-          " has no use for it; it belongs to decoy_share");
+          " does not use it; only decoy_share does");
     return;
   }
   const auto is_kind = [&](DecoyKind kind) { return name(kind) == gate.kind; };
   check(std::ranges::any_of(kDecoyKinds, is_kind), "kind: ", gate.kind.value_or("none"),
-        "; decoy_share needs one, height, across or match");
+        "; decoy_share requires height, across or match");
   const auto is_distance = [&](double distance_m) { return distance_m == gate.distance_m; };
   check(std::ranges::any_of(kDecoyDistances_m, is_distance),
         "distance_m: ", gate.distance_m ? fmt::format("{}", *gate.distance_m) : "none",
-        "; decoy_share needs one of ", fmt::format("{}", fmt::join(kDecoyDistances_m, ", ")));
+        "; decoy_share requires one of ", fmt::format("{}", fmt::join(kDecoyDistances_m, ", ")));
   check(gate.line_class == kTotal, "class: ", gate.line_class,
-        "; decoy_share is of all classes together, so class must be left out");
+        "; decoy_share covers all classes, so class must be omitted");
   check(!gate.n_images, "n_images: ", gate.n_images.value_or(0),
-        "; decoy_share is of lines of any number of images, so n_images must be left out");
+        "; decoy_share covers lines of any number of images, so n_images must be omitted");
   check(!gate.decided_by,
-        "decided_by: decoy_share is of all lines that were judged, so decided_by must be left out");
-  check(!gate.max_ratio_to_class,
-        "max_ratio_to: decoy_share has no classes to relate to each other");
+        "decided_by: decoy_share covers all judged lines, so decided_by must be omitted");
+  check(!gate.max_ratio_to_class, "max_ratio_to: decoy_share has no classes to compare");
 }
 
 /// An upper end says nothing on a figure that must not fall, and another figure's interval is not
@@ -79,10 +78,9 @@ void check_decoys(const Gate& gate) {
 void check_bound(const Gate& gate) {
   if (gate.bound == GateBound::kPoint) return;
   check(has_clustered_interval(gate.metric), "bound: upper95; ", gate.metric,
-        " has no clustered interval; rms_m and decoy_share have one");
+        " has no clustered interval; only rms_m and decoy_share have");
   const auto refuse = [](const char* rule, bool is_given) {
-    check(!is_given, "bound: upper95; it is for max alone, so ", rule,
-          " needs an entry of its own");
+    check(!is_given, "bound: upper95; only for max, so ", rule, " needs its own entry");
   };
   refuse("min", gate.min.has_value());
   refuse("max_ratio_to", gate.max_ratio_to_class.has_value());
@@ -92,18 +90,18 @@ void check_bound(const Gate& gate) {
 
 void check_same_inputs(const ResultFolder& results, const ResultFolder& baseline) {
   check(!baseline.input_hashes.empty() && !results.input_hashes.empty(), "baseline ", baseline.name,
-        ": no input hashes recorded; they must show the same inputs");
+        ": has no input hashes, which are needed to compare the inputs");
   for (const auto& input : results.input_hashes) {
     const std::string& file = input.first;
     const bool has_name =
         std::any_of(baseline.input_hashes.begin(), baseline.input_hashes.end(),
                     [&](const auto& of_baseline) { return of_baseline.first == file; });
     check(baseline.input_hashes.contains(input), "baseline ", baseline.name, ": the input ", file,
-          has_name ? " differs" : " is not among its inputs",
-          "; a baseline must rest on the same inputs");
+          has_name ? " differs" : " is not one of its inputs",
+          "; a baseline must have the same inputs");
   }
   check(baseline.input_hashes.size() == results.input_hashes.size(), "baseline ", baseline.name,
-        ": it has inputs that these results do not have; a baseline must rest on the same inputs");
+        ": it has inputs missing here; a baseline must have the same inputs");
 }
 
 /// The figure of the same cell in the baseline. If the baseline has none, the result says why in
@@ -159,14 +157,14 @@ enum class Bound : std::uint8_t { kUpper, kLower };
 /// Why the figure is known too badly for a verdict; "" if it is not.
 std::string why_insufficient(const GateResult& result, const Gate& gate) {
   if (gate.n_min && result.n < *gate.n_min) {
-    return fmt::format("n = {}, at least {} are needed", result.n, *gate.n_min);
+    return fmt::format("n = {}, at least {} required", result.n, *gate.n_min);
   }
   const bool needs_interval = gate.bound == GateBound::kUpper95 || is_decoy_metric(gate.metric);
   if (!needs_interval) return "";
   if (!result.ci95) return "there is no 95 % interval: too few clusters";
   if (gate.bound == GateBound::kUpper95 && result.n_clusters < kMinClusters) {
-    return fmt::format("the interval rests on {} clusters, at least {} are needed",
-                       result.n_clusters, kMinClusters);
+    return fmt::format("the interval has {} clusters, at least {} required", result.n_clusters,
+                       kMinClusters);
   }
   const double width = result.ci95->high - result.ci95->low;
   if (is_decoy_metric(gate.metric) && width > *result.limit) {
@@ -275,29 +273,29 @@ void validate(const Gate& gate) {
   check(gate.max || gate.min || gate.max_ratio_to_class || gate.max_increase_over_baseline ||
             gate.max_decrease_below_baseline,
         "a gate on ", gate.metric,
-        " has no rule; it needs max, min, max_ratio_to, max_increase_over_baseline or "
+        " has no rule; it requires max, min, max_ratio_to, max_increase_over_baseline or "
         "max_decrease_below_baseline");
   const bool of_matching = is_matching_metric(gate.metric);
   check(!of_matching || gate.line_class == kTotal, "class: ", gate.line_class, "; ", gate.metric,
-        " is a figure of matching, which has no classes, so class must be left out");
+        " measures matching, which has no classes, so class must be omitted");
   check(!gate.n_images || !of_matching, "n_images: ", gate.n_images.value_or(0), "; ", gate.metric,
-        " is a figure of the matches of two images, so n_images must be left out");
+        " measures the matches of two images, so n_images must be omitted");
   check(!gate.n_images || (*gate.n_images >= kMinImages && *gate.n_images <= kMaxImages),
         "n_images: ", gate.n_images.value_or(0), "; must be ", kMinImages, " to ", kMaxImages, "; ",
         kMaxImages, " means ", kMaxImages, " and more");
   check(!gate.decided_by || !(of_matching || is_track_metric(gate.metric)),
         "decided_by: ", gate.metric,
-        " is no figure of judged lines, so decided_by must be left out");
+        " does not measure judged lines, so decided_by must be omitted");
   const bool of_buildings = is_building_metric(gate.metric);
   check(of_buildings == gate.within_m.has_value(), "within_m: ", gate.metric,
-        of_buildings ? " needs it, the largest RMS of a building's lines that is good"
-                     : " has no use for it; it belongs to buildings_within_m");
+        of_buildings ? " requires it: the largest acceptable RMS of a building's lines"
+                     : " does not use it; only buildings_within_m does");
   check(!gate.within_m || *gate.within_m >= 0.0, "within_m: ", gate.within_m.value_or(0.0),
         "; must be >= 0");
   check(!gate.max_ratio_to_class || !of_matching, "max_ratio_to: ", gate.metric,
-        " is a figure of matching, which has no classes to relate to each other");
+        " measures matching, which has no classes to compare");
   check(!gate.max_ratio_to_class || !metric.is_signed, "max_ratio_to: ", gate.metric,
-        " is signed, so a ratio says nothing; give it min and max");
+        " is signed, so a ratio is meaningless; use min and max");
   check_limit("max", gate.max, metric);
   check_limit("min", gate.min, metric);
   check(std::isfinite(gate.ratio) && gate.ratio > 0.0, "ratio: ", gate.ratio, "; must be > 0");

@@ -60,9 +60,9 @@ TextTable table_of(const GateReport& report) {
 
 std::string verdict_line(const GateReport& report, Markup markup) {
   const char* bold = markup == Markup::kMarkdown ? "**" : "";
-  return fmt::format("Accuracy gate: {}{}{}, {} of {} checks failed.\n\n", bold,
-                     report.passed() ? "passed" : "failed", bold, count_failed(report),
-                     report.results.size());
+  return fmt::format("Accuracy gate: {}{}{} ({} of {} checks passed).\n\n", bold,
+                     report.passed() ? "passed" : "failed", bold,
+                     report.results.size() - count_failed(report), report.results.size());
 }
 
 /// A part of a JUnit class name. Viewers take its dots for levels and build paths of it, so every

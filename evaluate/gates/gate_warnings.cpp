@@ -22,7 +22,7 @@ void warn_of_calibration(const Evaluation& e, std::vector<std::string>& warnings
           ? "the predicted sigmas are too large"
           : fmt::format(
                 "the predicted sigmas are too small, or the {:.1f} % of the lines with |z| above "
-                "3.29 were judged by a wrong surface (median z^2 {:.2f}, 0.455 expected)",
+                "3.29 were judged against a wrong surface (median z^2 {:.2f}, 0.455 expected)",
                 100.0 * *c.share_beyond_99_9, *c.median_z2);
   warnings.push_back(
       fmt::format("patch {}, {}: mean NEES / dof = {:.3g} (n = {}), outside [0.5, 2]: {}", e.patch,
@@ -35,7 +35,7 @@ void warn_of_time(const ResultFolder& results,
   constexpr double kMaxSlowdown = 2.0;
   if (!baseline.duration_s || !results.duration_s) return;
   if (*results.duration_s <= kMaxSlowdown * *baseline.duration_s) return;
-  warnings.push_back(fmt::format("time {:.1f} s is above twice the baseline's {:.1f} s",
+  warnings.push_back(fmt::format("time {:.1f} s is more than twice the {:.1f} s of the baseline",
                                  *results.duration_s, *baseline.duration_s));
 }
 
@@ -62,7 +62,7 @@ std::vector<std::string> gate_warnings(std::span<const Gate> gates,
   warn_of_time(results, *baseline, warnings);
   if (std::none_of(gates.begin(), gates.end(), refers_to_baseline)) {
     warnings.emplace_back(
-        "no gate refers to the baseline; nothing was held against it (max_increase_over_baseline, "
+        "no gate refers to the baseline; nothing was compared with it (max_increase_over_baseline, "
         "max_decrease_below_baseline)");
   }
   return warnings;

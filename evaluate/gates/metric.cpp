@@ -26,10 +26,10 @@ struct AccuracyMetric {
 constexpr std::array kAccuracyMetrics{
     AccuracyMetric{{kRmsMetric, "RMS of the lines' mean distances to their planes", kInMetres},
                    [](const Summary& s) { return s.rms_m; }},
-    AccuracyMetric{{"rms_length_weighted_m", "the same, each line with its length", kInMetres},
+    AccuracyMetric{{"rms_length_weighted_m", "the same, weighted by length", kInMetres},
                    [](const Summary& s) { return s.rms_length_weighted_m; }},
     AccuracyMetric{
-        {"mean_m", "bias: mean of the signed distances; give it min and max", kInMetres, kIsSigned},
+        {"mean_m", "bias: mean of the signed distances; use min and max", kInMetres, kIsSigned},
         [](const Summary& s) { return s.mean_m; }},
     AccuracyMetric{{"std_m", "standard deviation of the signed distances", kInMetres},
                    [](const Summary& s) { return s.std_m; }},
@@ -38,27 +38,26 @@ constexpr std::array kAccuracyMetrics{
     AccuracyMetric{
         {"nmad_m", "1.4826 x median absolute deviation of the signed distances", kInMetres},
         [](const Summary& s) { return s.nmad_m; }},
-    AccuracyMetric{{"q683_m", "68.3 % of the lines are not farther off", kInMetres},
+    AccuracyMetric{{"q683_m", "68.3 % quantile of the distances", kInMetres},
                    [](const Summary& s) { return s.q683_m; }},
-    AccuracyMetric{{"q90_m", "90 % of the lines are not farther off", kInMetres},
+    AccuracyMetric{{"q90_m", "90 % quantile of the distances", kInMetres},
                    [](const Summary& s) { return s.q90_m; }},
-    AccuracyMetric{{"q95_m", "95 % of the lines are not farther off", kInMetres},
+    AccuracyMetric{{"q95_m", "95 % quantile of the distances", kInMetres},
                    [](const Summary& s) { return s.q95_m; }},
-    AccuracyMetric{{"max_m", "the line farthest off", kInMetres},
+    AccuracyMetric{{"max_m", "largest distance", kInMetres},
                    [](const Summary& s) { return s.max_m; }},
     AccuracyMetric{{"gross_share", "share of the lines farther off than gross_m", kAsShare},
                    [](const Summary& s) { return s.gross_share; }},
-    AccuracyMetric{{"evaluated_share", "share of all lines that could be judged", kAsShare},
+    AccuracyMetric{{"evaluated_share", "share of the lines that could be judged", kAsShare},
                    [](const Summary& s) { return s.evaluated_share(); }},
-    AccuracyMetric{{"evaluated_share_by_length", "the same, each line with its length", kAsShare},
+    AccuracyMetric{{"evaluated_share_by_length", "the same, weighted by length", kAsShare},
                    [](const Summary& s) { return s.evaluated_share_by_length(); }},
     AccuracyMetric{{"rmse_horizontal_m", "RMSE across ridges and hips in plan", kInMetres},
                    [](const Summary& s) { return s.rmse_horizontal_m; }},
     AccuracyMetric{{"rmse_vertical_m", "RMSE in height of ridges and hips", kInMetres},
                    [](const Summary& s) { return s.rmse_vertical_m; }},
-    AccuracyMetric{
-        {"mean_vertical_m", "mean of the same; give it min and max", kInMetres, kIsSigned},
-        [](const Summary& s) { return s.mean_vertical_m; }},
+    AccuracyMetric{{"mean_vertical_m", "mean of the same; use min and max", kInMetres, kIsSigned},
+                   [](const Summary& s) { return s.mean_vertical_m; }},
 };
 
 struct MatchingMetric {
@@ -89,13 +88,15 @@ struct TrackMetric {
 };
 
 constexpr std::array kTrackMetrics{
-    TrackMetric{{"edge_recall", "true edges that a track shows / all in two images", kAsShare},
-                [](const TrackCounts& c) { return c.edge_recall(); },
-                [](const TrackCounts& c) { return c.n_edges; }},
-    TrackMetric{{"sighting_recall", "their images in such tracks / all that show them", kAsShare},
-                [](const TrackCounts& c) { return c.sighting_recall(); },
-                [](const TrackCounts& c) { return c.n_shown; }},
-    TrackMetric{{"sighting_precision", "right sightings / (right + wrong)", kAsShare},
+    TrackMetric{
+        {"edge_recall", "true edges found by a track / all visible in two images", kAsShare},
+        [](const TrackCounts& c) { return c.edge_recall(); },
+        [](const TrackCounts& c) { return c.n_edges; }},
+    TrackMetric{
+        {"sighting_recall", "their images in these tracks / all images that show them", kAsShare},
+        [](const TrackCounts& c) { return c.sighting_recall(); },
+        [](const TrackCounts& c) { return c.n_shown; }},
+    TrackMetric{{"sighting_precision", "correct observations / (correct + wrong)", kAsShare},
                 [](const TrackCounts& c) { return c.sighting_precision(); },
                 [](const TrackCounts& c) { return c.n_right + c.n_wrong; }}};
 
@@ -104,16 +105,16 @@ struct BuildingMetric {
 };
 
 constexpr std::array kBuildingMetrics{BuildingMetric{
-    {"buildings_within_m", "share of the buildings whose lines have an RMS of within_m at most",
+    {"buildings_within_m", "share of the buildings whose lines have an RMS of at most within_m",
      kAsShare}}};
 
 struct DecoyMetric {
   Metric metric;
 };
 
-constexpr std::array kDecoyMetrics{DecoyMetric{
-    {"decoy_share", "share of the lines moved by distance_m on purpose that pass within 0.2 m",
-     kAsShare}}};
+constexpr std::array kDecoyMetrics{
+    DecoyMetric{{"decoy_share",
+                 "share of the lines moved by distance_m that still pass within 0.2 m", kAsShare}}};
 
 template <typename Entries>
 std::vector<Metric> metrics_of(const Entries& entries) {

@@ -209,10 +209,10 @@ JudgedResult ended(LineEvaluation e, Status status, std::string reason) {
 std::optional<Refusal> refusal_of(const JudgedLine& line, const JudgeOptions& options) {
   constexpr double kNearVertical = 0.05;  // plan length / length; below it no direction is known
   if (!line.reconstructed) {
-    return Refusal{Status::kNotReconstructed, "its tool gives no geometry for it"};
+    return Refusal{Status::kNotReconstructed, "the file has no geometry for it"};
   }
   if (!line.confirmed) {
-    return Refusal{Status::kUnconfirmed, "further images should show it and do not"};
+    return Refusal{Status::kUnconfirmed, "another image should show it but does not"};
   }
   if (!all_finite(line.segment)) return Refusal{Status::kNonFinite, "a coordinate is not finite"};
   if (!in_range(line.segment)) {
@@ -221,7 +221,7 @@ std::optional<Refusal> refusal_of(const JudgedLine& line, const JudgeOptions& op
   const double length_m = length(line.segment);
   if (!(length_m > 0.0)) return Refusal{Status::kDegenerate, "both ends are the same point"};
   if (length(plan(line.segment)) < kNearVertical * length_m) {
-    return Refusal{Status::kDegenerate, "the line is vertical: it has no direction in plan"};
+    return Refusal{Status::kDegenerate, "the line is vertical and has no direction in plan"};
   }
   if (length_m < options.min_length_m) {
     return Refusal{Status::kTooShort,
@@ -249,7 +249,7 @@ JudgedResult judge_line(const PointSearch& search,
       marks_missing_height(off_m, line.segment)) {
     return ended(std::move(e), Status::kOutOfRange,
                  text("both ends lie ", std::abs(off_m), off_m > 0.0 ? " m above" : " m below",
-                      " all points around them: a mark for a missing height"));
+                      " all points around them: perhaps a no-data value"));
   }
   e.surface = decision.surface;
   e.surface_other = decision.other;

@@ -98,7 +98,7 @@ std::optional<std::string> reason_too_little_known(std::span<const CandidatePlan
     const PlaneFit& fit = candidates[i].fit;
     const double sigma_m = fit.sigma_at({middle.x(), middle.y(), height_at(fit.plane, middle)});
     if (sigma_m <= known_to_m) continue;
-    return fmt::format("its plane is known to {:.3g} m at the line, must be known to {:.3g} m",
+    return fmt::format("the sigma of its plane at the line is {:.3g} m, must be at most {:.3g} m",
                        sigma_m, known_to_m);
   }
   return std::nullopt;

@@ -198,15 +198,14 @@ SurfaceDecision without_plane(std::span<const CandidatePlane> candidates,
                               const JudgeOptions& options) {
   SurfaceDecision decision;
   if (candidates.empty()) {
-    decision.reason = "points beside the line, but no plane among them";
+    decision.reason = "points next to the line, but no plane in them";
     return decision;
   }
   double most = 0.0;
   for (const CandidatePlane& plane : candidates) most = std::max(most, plane.coverage);
   decision.status = Status::kLowCoverage;
   decision.reason = fmt::format(
-      "no plane accompanies the line closely enough: largest coverage {:.0f} %, must be at least "
-      "{:.0f} %",
+      "no plane covers enough of the line: largest coverage {:.0f} %, must be at least {:.0f} %",
       100.0 * most, 100.0 * options.min_coverage);
   return decision;
 }
@@ -265,8 +264,7 @@ SurfaceDecision decide_surface(std::span<const ZonePoint> zone,
     return decision;
   }
   if (hypotheses[chosen].surface == Surface::kObject) {
-    decision.reason =
-        "the edge of a car, a hedge or another object that the cloud has no plane for";
+    decision.reason = "the edge of a car, a hedge or another object without a plane in the cloud";
     return decision;
   }
   decision.status = Status::kEvaluated;

@@ -50,13 +50,13 @@ FrameCheck check_frame(std::span<const LineEvaluation> lines, double tolerance_m
     result.reason = fmt::format("only {} of {} lines are near the cloud, at least 5 % must be",
                                 n_near, n_looked_up);
     if (n_far_in_height > 0) {
-      result.reason += fmt::format(" ({} lie at one height more than {:.0f} m above or below it)",
-                                   n_far_in_height, kMaxHeightOffset_m);
+      result.reason +=
+          fmt::format(" ({} have the same height more than {:.0f} m above or below it)",
+                      n_far_in_height, kMaxHeightOffset_m);
     }
   } else if (result.median_distance_m.value_or(0.0) > kMaxTolerances * tolerance_m) {
     result.reason = fmt::format(
-        "the median distance of the lines is {:.1f} m, at most {:.1f} m "
-        "can be an error of the lines",
+        "the median distance of the lines is {:.1f} m; line errors explain at most {:.1f} m",
         *result.median_distance_m, kMaxTolerances * tolerance_m);
   }
   result.same_frame = result.reason.empty();

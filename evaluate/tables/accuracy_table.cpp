@@ -24,9 +24,9 @@ std::string style_sentence(const AccuracyStatement& total) {
   const std::optional<double> rmse_m = total.numbers.product_m;
   if (!rmse_m) return "";
   return fmt::format(
-      "In the style of ASPRS Edition 2: RMSE {} m with the error of the reference included, from "
-      "{} lines{}. In the style of NSSDA: {} m at 95 % (1.9600 RMSE).\n",
-      metres(rmse_m), total.n, total.few_samples ? ", fewer than the 30 that it asks for" : "",
+      "In the style of ASPRS Edition 2: RMSE {} m including the error of the reference, from {} "
+      "lines{}. In the style of NSSDA: {} m at 95 % (1.9600 RMSE).\n",
+      metres(rmse_m), total.n, total.few_samples ? ", fewer than the 30 it requires" : "",
       metres(kNssdaVertical * *rmse_m));
 }
 

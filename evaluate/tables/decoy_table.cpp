@@ -12,11 +12,10 @@ namespace ridgeline::evaluate {
 namespace {
 
 constexpr const char* kNote =
-    "Lines were moved on purpose and judged again: so many of them would pass for right ones. This "
-    "does not say how many "
-    "lines are wrong. height: up and down. across: in plan; a plane does not see a movement along "
-    "itself, so most pass beside "
-    "large roofs. match: along the rays of the first image, as a false match would put them.";
+    "Lines were moved on purpose and judged again; the table shows how many would pass as correct. "
+    "It does not show how many lines are wrong. height: up and down. across: in plan; a plane "
+    "cannot detect a shift within itself, so most pass next to large roofs. match: along the rays "
+    "of the first image, as a false match would.";
 
 bool has_decoys(const Evaluation& evaluation) { return !evaluation.decoys.empty(); }
 
@@ -57,7 +56,7 @@ std::string decoys_to_terminal(std::span<const Evaluation> evaluations) {
       table.add_row(std::move(row));
     }
   }
-  return captioned(fmt::format("Decoys that come out within {} m, % (not evaluated, %)", kRight_m),
+  return captioned(fmt::format("Decoys that pass within {} m, % (not evaluated, %)", kRight_m),
                    table, Markup::kPlain) +
          paragraph(kNote, Markup::kPlain);
 }
@@ -98,8 +97,8 @@ std::string following_note(const Evaluation& evaluation) {
   const std::optional<CloudFollowing>& f = evaluation.elsewhere;
   if (!f || !f->is_weak()) return "";
   return fmt::format(
-      "{} % of the lines lie within {} m of the cloud's surfaces, and {} % of the same lines "
-      "moved by 20 to 100 m in plan (difference {}, 95 % interval {} to {}, {} moves)",
+      "{} % of the lines lie within {} m of the cloud's surfaces, and {} % of the same lines after "
+      "moving them by 20 to 100 m in plan (difference {}, 95 % interval {} to {}, {} moves)",
       percent(f->share), kRight_m, percent(f->share_elsewhere), fixed(f->difference(), 2),
       fixed(f->ci95->low, 2), fixed(f->ci95->high, 2), f->n_pairs);
 }

@@ -23,7 +23,7 @@ const Json& member(const Json& object, const char* key) {
 
 std::string text(const Json& object, const char* key) {
   const Json& value = member(object, key);
-  check(value.is_string(), key, ": ", value.dump(), "; must be text");
+  check(value.is_string(), key, ": ", value.dump(), "; must be a string");
   return value.get<std::string>();
 }
 
@@ -74,7 +74,7 @@ Status parse_status(const std::string& text) {
     const auto status = static_cast<Status>(i);
     if (text == name(status)) return status;
   }
-  throw std::invalid_argument("status: " + text + "; must be evaluated or the reason why not");
+  throw std::invalid_argument("status: " + text + "; must be evaluated or a reason");
 }
 
 Kind parse_kind(const Json& line) {
@@ -167,7 +167,7 @@ LineEvaluation parse_line(const Json& json, const Eigen::Vector3d& origin_m) {
   line.reason = text_if_any(json, "reason");
   line.building = text_if_any(json, "building");
   for (const Json& flag : array(json, "flags")) {
-    check(flag.is_string(), "flags: ", flag.dump(), "; must be text");
+    check(flag.is_string(), "flags: ", flag.dump(), "; must be a string");
     line.flags.push_back(flag.get<std::string>());
   }
   line.surface = named_if_any<Surface>(json, "surface", kNumSurfaces);

@@ -113,12 +113,12 @@ std::string wireframe_to_csv(const std::vector<ReferenceRow>& rows) {
 }
 
 std::string reference_to_markdown(const std::vector<ReferenceRow>& rows) {
-  return "Mean distance from the true line that both image segments lie on; RMSE across it in plan "
-         "(H) and in height at the same place in plan (V). NEES: squared error of the ends over "
-         "the stated covariance, median over its expectation (1), and the share beyond the 99.9 % "
+  return "Mean distance from the true line of both image segments; RMSE across it in plan (H) and "
+         "in height at the same place in plan (V). NEES: squared error of the ends over the stated "
+         "covariance, median relative to its expectation (1), and the share beyond the 99.9 % "
          "limit (0.1).\n\n" +
          errors_markdown(rows) +
-         "\nTrue lines that both images show, reconstructed over half of their length to 0.3 "
+         "\nTrue lines visible in both images, reconstructed over half of their length within 0.3 "
          "m.\n\n" +
          completeness_markdown(rows) +
          "\nThe lines as a wireframe: corners (ends of lines) and edges (both ends) matched one to "

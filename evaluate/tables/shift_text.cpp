@@ -56,11 +56,11 @@ std::string shift_message(const Evaluation& evaluation, bool apply_shift) {
                      "no shift of the lines is significant, so that none was moved (`apply_shift`)."
                : "";
   }
-  const std::string what = fmt::format(
-      "the lines lie beside the LIDAR planes by the same shift, {} (95 %; {} lines, {} planes)",
-      shift_text(*shift), shift->n_lines, shift->n_planes);
+  const std::string what =
+      fmt::format("all lines are shifted from the LIDAR planes by {} (95 %; {} lines, {} planes)",
+                  shift_text(*shift), shift->n_lines, shift->n_planes);
   const std::string cause =
-      shift->cause.empty() ? "no known cause fits" : "likely cause: " + shift->cause;
+      shift->cause.empty() ? "cause unknown" : "likely cause: " + shift->cause;
   return fmt::format("{}{}; {}. {}", whose, what, cause,
                      shift->applied
                          ? "They were moved against it before they were judged (`apply_shift`)."
@@ -85,7 +85,7 @@ std::string shift_text(const ConstantShift& shift) {
     told.insert(told.begin(), std::move(oblique));
   }
   if (!untold.empty()) {
-    told.push_back(fmt::format("{} not told by these planes", fmt::join(untold, ", ")));
+    told.push_back(fmt::format("{} not observable from these planes", fmt::join(untold, ", ")));
   }
   return fmt::format("{}", fmt::join(told, ", "));
 }

@@ -24,15 +24,15 @@ std::string asprs_flags(const AsprsFigures& figures) {
 
 std::string asprs_markdown(const std::vector<StandardsBlock>& blocks) {
   TextTable table({"class", "n:", "RMSE_H:", "RMSE_V:", "RMSE_3D:",
-                   "best class the reference attests:", "flags", "NSSDA H:", "NSSDA V:"});
+                   "best class supported by the reference:", "flags", "NSSDA H:", "NSSDA V:"});
   for (const StandardsBlock& b : blocks) {
     table.add(b.line_class, b.asprs.n, metres(b.asprs.rmse_horizontal_m),
               metres(b.asprs.rmse_vertical_m), metres(b.asprs.rmse_3d_m),
               metres(b.asprs.best_class_m), asprs_flags(b.asprs), metres(b.nssda.horizontal_m),
               metres(b.nssda.vertical_m));
   }
-  return "**ASPRS Edition 2** (ridges and hips, error of the reference included) and, apart, "
-         "**NSSDA** at 95 %.\n\n" +
+  return "**ASPRS Edition 2** (ridges and hips, including the error of the reference) and, "
+         "separately, **NSSDA** at 95 %.\n\n" +
          table.text(Markup::kMarkdown);
 }
 
@@ -92,7 +92,7 @@ std::string report_xml(const StandardsRow& row, const IsoMeasure& m) {
 
 std::string standards_to_markdown(const std::vector<StandardsBlock>& blocks) {
   if (blocks.empty()) return "";
-  return "In the terms of standards. Informative: nothing here claims conformity.\n\n" +
+  return "In terms of standards. Informative: no conformity is claimed.\n\n" +
          asprs_markdown(blocks) + "\n" + budget_markdown(blocks) + "\n" +
          measures_markdown(blocks.back());
 }

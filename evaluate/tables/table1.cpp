@@ -101,16 +101,17 @@ std::string to_markdown(const Table1& table) {
   for (const Table1Row& row : table.rows) {
     if (row.n_unjudged == 0) continue;
     text +=
-        fmt::format("Patch {}, {}: {} more matches, of lines that the reference does not hold.\n",
+        fmt::format("Patch {}, {}: {} further matches concern lines absent from the reference.\n",
                     escape_markdown(row.patch), escape_markdown(row.matcher), row.n_unjudged);
   }
   if (table.tracks.empty()) return text;
-  text += "\nTracks, by true edges that two images or more show:\n\n" +
+  text += "\nTracks, by true edges visible in two or more images:\n\n" +
           tracks_table(table).text(Markup::kMarkdown) + "\n";
   for (const PatchTracks& of_patch : table.tracks) {
     if (of_patch.n_unjudged == 0) continue;
-    text += fmt::format("Patch {}: {} more sightings, of lines that the reference does not hold.\n",
-                        escape_markdown(of_patch.patch), of_patch.n_unjudged);
+    text +=
+        fmt::format("Patch {}: {} further observations concern lines absent from the reference.\n",
+                    escape_markdown(of_patch.patch), of_patch.n_unjudged);
   }
   return text;
 }
@@ -182,7 +183,7 @@ Table1 parse_table1(std::string_view json) {
     if (!parsed.contains("tracks")) return table;
     for (const Json& of_patch : parsed["tracks"]) table.tracks.push_back(parse_tracks(of_patch));
   } catch (const Json::exception& error) {
-    throw std::invalid_argument(std::string("is no Table 1: ") + error.what());
+    throw std::invalid_argument(std::string("is not a Table 1: ") + error.what());
   }
   return table;
 }

@@ -90,8 +90,8 @@ std::string parts_markdown(const Table2& table) {
     }
   }
   if (written.empty()) return "";
-  return "Ridges and hips, from both planes: how far across in plan and how far in height. "
-         "Movement along a line cannot be seen.\n\n" +
+  return "Ridges and hips, from both planes: offset across in plan and in height. Shifts along a "
+         "line cannot be observed.\n\n" +
          written.text(Markup::kMarkdown) + "\n";
 }
 
@@ -127,8 +127,8 @@ std::string_view groups_note(const Table2& table) {
                                [](const Summary& s) { return !s.by_group.empty(); });
   });
   if (!has_groups) return "";
-  return " These are the lines on whose surface plan and images decided; behind a + are those on "
-         "which points or the line's own place did.";
+  return " These are the lines whose surface was chosen by plan and images; those after the + were "
+         "decided by points or the line's own position.";
 }
 
 /// The columns by how much the lines of a result were moved, empty for lines that were not.
@@ -187,9 +187,9 @@ std::string footnote(const Table2& table) {
 
 std::string to_markdown(const Table2& table) {
   return fmt::format(
-      "RMS of the lines' mean orthogonal distances in m (lines evaluated / all lines).{}\n\n{}{}\n"
-      "Metres. Bias, std and NMAD are of the signed distances; median, quantiles and maximum of "
-      "the mean absolute distances.\n\n{}\n{}{}\n",
+      "RMS of the lines' mean orthogonal distances in m (lines evaluated / all "
+      "lines).{}\n\n{}{}\nMetres. Bias, std and NMAD refer to signed distances; median, quantiles "
+      "and maximum to mean absolute distances.\n\n{}\n{}{}\n",
       groups_note(table), published_form_markdown(table), footnote_line(table, "\n"),
       companions_markdown(table), parts_markdown(table), kFixedSentence);
 }

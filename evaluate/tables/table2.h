@@ -15,8 +15,8 @@ namespace ridgeline::evaluate {
 
 /// States what the distances are, and what they are not. It stands under every accuracy table.
 inline constexpr std::string_view kFixedSentence =
-    "Line-to-plane orthogonal distance against LIDAR planes; not an ASPRS or NSSDA checkpoint "
-    "test. Figures in their style are informative.";
+    "Orthogonal distances between lines and LIDAR planes; not an ASPRS or NSSDA checkpoint test. "
+    "Figures in their style are informative.";
 
 /// The figures of one method on one patch.
 struct PatchMethodResult {

@@ -30,7 +30,7 @@ std::string squares_notes(const Table2& table) {
     if (headline.n_evaluated == 0) continue;
     text += paragraph(
         fmt::format(
-            "{}, {}: {} of {} lines make half of the sum of squares; RMS of the others {} m.",
+            "{}, {}: {} of {} lines contribute half of the sum of squares; RMS of the others {} m.",
             in_sentence(result.patch, Markup::kPlain), in_sentence(result.method, Markup::kPlain),
             headline.n_half_of_squares, headline.n_evaluated, metres(headline.rms_without_half_m)),
         Markup::kPlain);

@@ -40,7 +40,7 @@ std::string tolerances_to_markdown(const std::vector<ToleranceRow>& rows) {
               fixed(m.redundancy, kRatioDecimals), metres(m.limap_r_m),
               fixed(m.limap_p_percent, 1));
   }
-  return "Length-weighted, in percent; R and P as LIMAP defines them.\n\n" +
+  return "Length-weighted, in percent; R and P as defined by LIMAP.\n\n" +
          table.text(Markup::kMarkdown);
 }
 

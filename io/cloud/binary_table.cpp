@@ -82,7 +82,7 @@ std::unique_ptr<CloudSource> open_binary_table(BinaryTable table, CloudFileInfo 
   for (const TableColumn& column : table.columns) {
     attributes.push_back(column.attribute);
     if (!fits(column, info.n_points, table.bytes.size())) {
-      throw IoError(info.path, fmt::format("claims {} points but its {} bytes of data end before",
+      throw IoError(info.path, fmt::format("declares {} points but holds only {} bytes of data",
                                            info.n_points, table.bytes.size()));
     }
     if (column.attribute <= PointAttribute::kZ && column.type == ScalarType::kFloat32) {

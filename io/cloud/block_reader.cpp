@@ -56,8 +56,9 @@ void check_range(const Eigen::AlignedBox3d& extent_in_world, const std::string& 
   for (int axis = 0; axis < 3; ++axis) {
     for (const double value : {extent_in_world.min()[axis], extent_in_world.max()[axis]}) {
       if (std::abs(value) > kMaxCoordinateM) {
-        throw IoError(path, fmt::format("a point has {} = {} m; coordinates beyond {} m are damage",
-                                        "xyz"[axis], value, kMaxCoordinateM));
+        throw IoError(path,
+                      fmt::format("a point has {} = {} m; beyond {} m the file must be damaged",
+                                  "xyz"[axis], value, kMaxCoordinateM));
       }
     }
   }

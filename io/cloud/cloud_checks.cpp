@@ -84,12 +84,12 @@ std::optional<std::string> coarse_steps(const CloudSource& source,
   steps_m = steps_m.cwiseMax(stored_m);
   if (!(steps_m.maxCoeff() > tolerable_m)) return std::nullopt;
   steps_m = (steps_m.array() > tolerable_m).select(steps_m, 0.0);
-  const char* cause = "they were written with too few digits, or went through float32";
+  const char* cause = "they were written with too few digits or converted to float32";
   if (info.has_float_coordinates && is_stored_coarsely) cause = "they are stored as float32";
-  if (info.scale && is_stored_coarsely) cause = "so is the scale of the file";
+  if (info.scale && is_stored_coarsely) cause = "the scale of the file is that coarse";
   return fmt::format(
-      "coordinates have {}: {}; steps above {} m spoil plane fits, store doubles, more digits or "
-      "coordinates that an offset was subtracted from",
+      "coordinates have {}: {}; steps above {} m degrade plane fits; store doubles, more digits, "
+      "or coordinates with an offset subtracted",
       steps_text(steps_m), cause, tolerable_m);
 }
 

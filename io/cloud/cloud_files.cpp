@@ -109,10 +109,10 @@ void CloudFiles::refuse_degrees(File& file) {
   if (!has_size_of_degrees(open(file))) return;
   throw IoError(
       file.info.path,
-      fmt::format("the coordinates are degrees by their size and {}; project the cloud to "
-                  "a system in metres or feet",
-                  crs_.known() ? fmt::format("no metres or feet of \"{}\"", describe(crs_).name)
-                               : "no reference system is stated"));
+      fmt::format(
+          "the coordinates look like degrees, {}; project the cloud to a system in metres or feet",
+          crs_.known() ? fmt::format("not the metres or feet of \"{}\"", describe(crs_).name)
+                       : "and no reference system is given"));
 }
 
 void CloudFiles::find_frame() {
@@ -173,8 +173,8 @@ void CloudFiles::reserve(const PointFilter& filter, std::uint64_t max_points, Po
   }
   const std::string& path = files_.front().info.path;
   if (expected > limit) {
-    throw IoError(path, fmt::format("{} points to keep of {} file(s) take {} bytes; allowed are {} "
-                                    "points (max_points, max_memory)",
+    throw IoError(path, fmt::format("the {} points to keep from {} file(s) need {} bytes; the "
+                                    "limit is {} points (max_points, max_memory)",
                                     expected, files_.size(), expected * sizeof(CloudPoint), limit));
   }
   try {
@@ -184,8 +184,9 @@ void CloudFiles::reserve(const PointFilter& filter, std::uint64_t max_points, Po
         {reinterpret_cast<const std::byte*>(cloud.points.data()), expected * sizeof(CloudPoint)},
         MADV_HUGEPAGE);
   } catch (const std::bad_alloc&) {
-    throw IoError(path, fmt::format("{} points to keep take {} bytes; that memory is not to be had",
-                                    expected, expected * sizeof(CloudPoint)));
+    throw IoError(path,
+                  fmt::format("the {} points to keep need {} bytes, more than the available memory",
+                              expected, expected * sizeof(CloudPoint)));
   }
 }
 

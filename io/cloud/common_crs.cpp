@@ -26,8 +26,9 @@ CommonCrs assumed(std::span<const CloudFileInfo> files, const Crs& crs) {
   for (const CloudFileInfo& info : files) {
     const CrsAgreement agreement = compare(info.crs, crs);
     if (agreement.compatible) continue;
-    common.warnings.push_back(fmt::format(
-        "{}: the assumed reference system overrides the file's: {}", info.path, agreement.reason));
+    common.warnings.push_back(
+        fmt::format("{}: the assumed reference system overrides that of the file: {}", info.path,
+                    agreement.reason));
   }
   return common;
 }
@@ -54,7 +55,7 @@ void check_agreement(const CloudFileInfo& info,
   const CrsAgreement agreement = same_text ? CrsAgreement{} : compare(reference.crs, info.crs);
   if (!agreement.compatible) {
     throw IoError(info.path,
-                  fmt::format("does not fit to {}: {}", reference.path, agreement.reason));
+                  fmt::format("does not match {}: {}", reference.path, agreement.reason));
   }
   if (!agreement.warning.empty()) {
     warnings.push_back(
@@ -62,8 +63,8 @@ void check_agreement(const CloudFileInfo& info,
   }
   const bool states_units = info.crs.known() || info.unit_m != Eigen::Vector3d::Ones();
   if (states_units && info.unit_m != reference.unit_m) {
-    throw IoError(info.path, fmt::format("does not fit to {}: its unit keys give other units",
-                                         reference.path));
+    throw IoError(info.path,
+                  fmt::format("does not match {}: its unit keys give other units", reference.path));
   }
 }
 
@@ -78,7 +79,7 @@ CommonCrs find_common_crs(std::span<const CloudFileInfo> files, const Crs& assum
       common.unit_m.push_back(info.unit_m);
       if (info.has_sure_unit) continue;
       common.warnings.push_back(
-          fmt::format("{}: states no reference system; its coordinate unit is taken as {}",
+          fmt::format("{}: has no reference system; assuming that its coordinates are in {}",
                       info.path, units_text(info.unit_m)));
     }
     return common;

@@ -77,9 +77,10 @@ std::optional<double> stated_unit_m(const ShortKeys& keys,
     case 9003:
       return 1200.0 / 3937.0;
     default:
-      warnings.push_back(fmt::format(
-          "GeoTIFF key {} is unit {}; known are 9001 metre, 9002 foot, 9003 US survey foot", key,
-          code));
+      warnings.push_back(
+          fmt::format("GeoTIFF key {} is unit {}; supported are 9001 (metre), 9002 (foot) and 9003 "
+                      "(US survey foot)",
+                      key, code));
       return std::nullopt;
   }
 }
@@ -115,8 +116,8 @@ void add_heights(const ShortKeys& keys, GeoTiffCrs& result) {
   const Crs vertical{fmt::format("EPSG:{}", code)};
   if (!is_vertical_alone(vertical)) {
     result.warnings.push_back(
-        fmt::format("GeoTIFF key 4096 is {}, no vertical reference system that PROJ knows; "
-                    "heights taken as unknown",
+        fmt::format("GeoTIFF key 4096 is {}, which is not a vertical reference system known to "
+                    "PROJ; the height system is unknown",
                     stated));
     return;
   }
@@ -141,10 +142,10 @@ void add_heights(const ShortKeys& keys, GeoTiffCrs& result) {
   if (same_unit(unit_m, describe(result.crs).vertical_unit_m)) return;
   result.crs = with_vertical_unit(result.crs, unit_m);
   if (result.vertical_unit_m) return;
-  result.warnings.push_back(fmt::format(
-      "GeoTIFF key 4096 names a vertical datum and key 4099 no unit of heights; they are "
-      "taken in that of the plan, {}",
-      unit_text(unit_m)));
+  result.warnings.push_back(
+      fmt::format("GeoTIFF key 4096 names a vertical datum but key 4099 has no height unit; "
+                  "assuming that of the plan, {}",
+                  unit_text(unit_m)));
 }
 
 }  // namespace
@@ -163,11 +164,10 @@ GeoTiffCrs parse_geotiff_keys(std::span<const std::byte> directory) {
     result.warnings.emplace_back(
         keys.empty() ? "GeoTIFF keys are empty or damaged; reference system unknown"
         : user_defined || horizontal == 0
-            ? "GeoTIFF keys name no registered reference system; reference system unknown"
-            : fmt::format(
-                  "GeoTIFF keys name {}, no horizontal reference system that PROJ knows; reference "
-                  "system unknown",
-                  horizontal_crs.definition));
+            ? "GeoTIFF keys do not name a registered reference system; reference system unknown"
+            : fmt::format("GeoTIFF keys name {}, which is not a horizontal reference system known "
+                          "to PROJ; reference system unknown",
+                          horizontal_crs.definition));
     add_heights(keys, result);
     return result;
   }

@@ -36,7 +36,7 @@ Crs checked_wkt(const std::string& wkt, std::vector<std::string>& warnings) {
   }
   require_proj_data();
   warnings.push_back(fmt::format(
-      "WKT record of {} bytes is no reference system that PROJ reads; it is ignored", wkt.size()));
+      "WKT record of {} bytes is not a reference system known to PROJ; ignored", wkt.size()));
   return {};
 }
 
@@ -51,8 +51,8 @@ void apply_stated_unit(
   if (!result.crs.known()) return;
   if (first_axis == 2) result.crs = with_vertical_unit(result.crs, stated_m);
   result.warnings.push_back(
-      fmt::format("{} unit is {:.10g} m by the GeoTIFF keys but {:.10g} m by the reference system; "
-                  "the keys are obeyed",
+      fmt::format("{} unit is {:.10g} m in the GeoTIFF keys but {:.10g} m in the reference system; "
+                  "using the keys",
                   what, stated_m, of_crs_m));
 }
 
@@ -71,12 +71,12 @@ void apply_stated_units(const GeoTiffCrs& keys, bool has_vertical_crs, LasCrs& r
 
 /// The units of a file without a reference system.
 std::string units_text(const GeoTiffCrs& keys, const Eigen::Vector3d& unit_m) {
-  const std::string heights = !keys.vertical_unit_m ? "heights too, as no unit is stated for them"
-                              : same_unit(unit_m.x(), unit_m.z())
-                                  ? "heights too"
-                                  : "heights in " + unit_text(unit_m.z());
-  return fmt::format("its coordinates are in {} by the GeoTIFF keys, {}", unit_text(unit_m.x()),
-                     heights);
+  const std::string heights =
+      !keys.vertical_unit_m ? "and so are its heights, which have no unit of their own"
+      : same_unit(unit_m.x(), unit_m.z()) ? "and so are its heights"
+                                          : "and its heights in " + unit_text(unit_m.z());
+  return fmt::format("according to the GeoTIFF keys, its coordinates are in {} {}",
+                     unit_text(unit_m.x()), heights);
 }
 
 /// Chooses the WKT or the keys by the rule of read_las_crs(). Returns whether the WKT was chosen.
@@ -86,8 +86,8 @@ bool choose(const LasHeader& header, const Crs& wkt, const Crs& keys, LasCrs& re
   const bool use_keys = both ? !wkt_wins : keys.known();
   if (both && !compare(wkt, keys).compatible) {
     result.warnings.push_back(fmt::format(
-        "WKT record says \"{}\" but GeoTIFF keys say \"{}\"; {} used", describe(wkt).name,
-        describe(keys).name, use_keys ? "the keys are" : "the WKT is"));
+        "the WKT record has \"{}\" but the GeoTIFF keys have \"{}\"; {}", describe(wkt).name,
+        describe(keys).name, use_keys ? "using the keys" : "using the WKT"));
   }
   result.crs = use_keys ? keys : wkt;
   return !use_keys && result.crs.known();
@@ -107,7 +107,7 @@ LasCrs read_las_crs(std::span<const std::byte> file, const LasHeader& header) {
     if (!wkt.known()) std::ranges::move(keys.warnings, std::back_inserter(result.warnings));
     if (header.point_format >= 6 && !wkt.known()) {
       result.warnings.push_back(
-          fmt::format("point format {} asks for a WKT reference system; the GeoTIFF keys are used",
+          fmt::format("point format {} requires a WKT reference system; using the GeoTIFF keys",
                       header.point_format));
     }
   }

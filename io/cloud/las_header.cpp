@@ -55,7 +55,7 @@ void check_signature(Bytes file, const std::string& path) {
   const std::string_view content(reinterpret_cast<const char*>(file.data()), file.size());
   if (content.starts_with(kSignature)) return;
   const FileKind kind = kind_by_mark(content);
-  throw IoError(path, fmt::format("is no LAS file: starts with {}; must start with \"LASF\"{}",
+  throw IoError(path, fmt::format("is not a LAS file: starts with {}; must start with \"LASF\"{}",
                                   describe_first_bytes(content),
                                   kind.is_known() ? "; it is " + kind.what : ""));
 }
@@ -171,10 +171,11 @@ void resolve_count(Bytes file,
   const bool unfinished =
       header.n_points_claimed == 0 && (bounds_unset || (room > 0 && !header.is_compressed()));
   if (unfinished && (!options.salvage || header.is_compressed())) {
-    throw IoError(path, fmt::format("field point_count at byte 107 is 0 but the file goes on for "
-                                    "{} bytes after the header; the writer did not finish this "
-                                    "file (salvage reads the records that are there)",
-                                    file.size() - header.point_offset));
+    throw IoError(
+        path, fmt::format(
+                  "field point_count at byte 107 is 0 but the header is followed by {} more bytes; "
+                  "the writer did not finish this file (salvage reads the existing records)",
+                  file.size() - header.point_offset));
   }
   if (header.is_compressed() || (!unfinished && header.n_points_claimed <= room)) return;
   if (!options.salvage) {
@@ -185,7 +186,7 @@ void resolve_count(Bytes file,
   }
   header.n_points = room;
   header.warnings.push_back(
-      fmt::format("salvaged {} records of {} claimed", room, header.n_points_claimed));
+      fmt::format("salvaged {} of {} declared records", room, header.n_points_claimed));
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ CloudFileInfo las_info(const MappedFile& file, const std::string& path, const La
       .warnings = header.warnings};
   std::ranges::move(crs.warnings, std::back_inserter(info.warnings));
   if (header.version_minor == 0) {
-    info.warnings.emplace_back("LAS 1.0 gives class codes no standard meaning");
+    info.warnings.emplace_back("LAS 1.0 does not define the meaning of class codes");
   }
   return info;
 }

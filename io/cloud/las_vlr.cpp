@@ -35,9 +35,9 @@ void append_records(std::span<const std::byte> file,
                                     : load<std::uint16_t>(&file[position + 20]);
     }
     if (!has_header || length > end - position - kind.header_size) {
-      header.warnings.push_back(
-          fmt::format("{} {} of {} at byte {} runs past byte {}; the {} before it are used",
-                      kind.name, i + 1, count, position, end, i));
+      header.warnings.push_back(fmt::format(
+          "{} {} of {} at byte {} extends beyond byte {}; only the {} before it are used",
+          kind.name, i + 1, count, position, end, i));
       return;
     }
     header.vlrs.push_back({.user_id = load_text(file.subspan(position + 2, 16)),

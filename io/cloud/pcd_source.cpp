@@ -188,23 +188,24 @@ std::vector<std::byte> unpack(std::span<const std::byte> data,
   const std::uint64_t packed_size = load<std::uint32_t>(data.data());
   const std::uint64_t unpacked_size = load<std::uint32_t>(data.data() + 4);
   if (packed_size > data.size() - kSizes) {
-    throw IoError(path, fmt::format("claims {} bytes of packed data; {} are there", packed_size,
+    throw IoError(path, fmt::format("declares {} bytes of packed data but has {}", packed_size,
                                     data.size() - kSizes));
   }
   const std::uint64_t row_size = header.row_size();
   if (row_size == 0 || unpacked_size % row_size != 0 ||
       unpacked_size / row_size != header.n_points) {
-    throw IoError(path, fmt::format("packed data are {} bytes when unpacked; {} points of {} bytes "
-                                    "are claimed",
-                                    unpacked_size, header.n_points, row_size));
+    throw IoError(
+        path,
+        fmt::format("the packed data unpack to {} bytes, but {} points of {} bytes are declared",
+                    unpacked_size, header.n_points, row_size));
   }
   if (unpacked_size > kAlwaysUnpacked_bytes && unpacked_size / kMaxGrowth > packed_size) {
-    throw IoError(path, fmt::format("{} bytes of packed data would grow to {} bytes; points are "
-                                    "packed to a tenth at best, so it is damaged",
+    throw IoError(path, fmt::format("{} bytes of packed data would grow to {} bytes; points shrink "
+                                    "to a tenth at best, so the file is damaged",
                                     packed_size, unpacked_size));
   }
   auto unpacked = unpack_lzf(data.subspan(kSizes, packed_size), unpacked_size);
-  if (!unpacked) throw IoError(path, "its packed data are damaged; LZF cannot unpack them");
+  if (!unpacked) throw IoError(path, "its packed data are damaged and cannot be unpacked by LZF");
   return std::move(*unpacked);
 }
 

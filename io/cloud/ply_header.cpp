@@ -14,7 +14,7 @@ namespace {
 using Words = std::vector<std::string_view>;
 
 PlyEncoding parse_encoding(const Words& words, const HeaderLines& lines) {
-  if (words.size() < 2) lines.fail("format names no encoding");
+  if (words.size() < 2) lines.fail("the format line has no encoding");
   if (words[1] == "ascii") return PlyEncoding::kAscii;
   if (words[1] == "binary_little_endian") return PlyEncoding::kLittleEndian;
   if (words[1] == "binary_big_endian") return PlyEncoding::kBigEndian;
@@ -24,7 +24,7 @@ PlyEncoding parse_encoding(const Words& words, const HeaderLines& lines) {
 
 ScalarType parse_type(std::string_view name, const HeaderLines& lines) {
   const auto type = scalar_type_of_ply_name(name);
-  if (!type) lines.fail(fmt::format("\"{}\" is no PLY type", name));
+  if (!type) lines.fail(fmt::format("\"{}\" is not a PLY type", name));
   return *type;
 }
 
@@ -67,7 +67,7 @@ PlyHeader read_ply_header(std::span<const std::byte> file, const std::string& pa
     } else if (words[0] == "property" && !header.elements.empty()) {
       header.elements.back().properties.push_back(parse_property(words, lines));
     } else {
-      lines.fail(fmt::format("\"{}\" is not understood here", words[0]));
+      lines.fail(fmt::format("\"{}\" is not expected here", words[0]));
     }
   }
   if (!has_format) lines.fail("the header has no format line");

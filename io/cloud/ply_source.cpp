@@ -108,7 +108,7 @@ std::unique_ptr<CloudSource> open_ascii(MappedFile file,
                   .items = {}};
   for (const PlyElement& element : before) {
     if (element.count > table.file.bytes().size()) {
-      throw IoError(info.path, fmt::format("claims {} rows of element {} in {} bytes",
+      throw IoError(info.path, fmt::format("declares {} rows of element {} in {} bytes",
                                            element.count, element.name, table.file.bytes().size()));
     }
     table.n_skipped_rows += element.count;

@@ -149,14 +149,15 @@ class LayoutFinder {
     for (const auto& [axis, letter] : kAxes) {
       if (columns.count(axis) == 1) continue;
       throw IoError(
-          path_, fmt::format("line {}: {} columns may be {}: {}; name one of them {}", columns.line,
-                             columns.count(axis), letter, fmt::join(columns.names, ", "), letter));
+          path_,
+          fmt::format("line {}: {} columns could be {}: {}; name only one of them {}", columns.line,
+                      columns.count(axis), letter, fmt::join(columns.names, ", "), letter));
     }
     // a name may then belong to another field than the one in its place
     const auto last = std::ranges::find_if(fields.rbegin(), fields.rend(),
                                            [](std::string_view field) { return !field.empty(); });
     if (const auto n = fields.rend() - last; n > std::ssize(columns.names)) {
-      fail(*first_, fmt::format("has {} columns but line {} names {}; name all of them, and write "
+      fail(*first_, fmt::format("has {} columns but line {} names {}; name every column, and write "
                                 "decimal points where commas separate",
                                 n, columns.line, columns.names.size()));
     }
@@ -173,16 +174,15 @@ class LayoutFinder {
     constexpr std::size_t kShown = 60;
     if (!begins_with_numbers(fields, std::min<std::size_t>(fields.size(), 3))) {
       fail(*first_,
-           fmt::format("\"{}\" leaves open which columns are x, y and z; name them in a line "
-                       "before it, such as id,x,y,z, and write numbers without other marks than "
-                       "that of the decimals",
-                       trimmed(first_->text).substr(0, kShown)));
+           fmt::format(
+               "\"{}\": the columns of x, y and z are ambiguous; name them in a preceding line, "
+               "such as id,x,y,z, and write numbers without other marks than that of the decimals",
+               trimmed(first_->text).substr(0, kShown)));
     }
     if (counts_points()) {
-      fail(*first_,
-           fmt::format("\"{}\": the first column counts the points; name the columns in a line "
-                       "before it, such as id,x,y,z",
-                       trimmed(first_->text).substr(0, kShown)));
+      fail(*first_, fmt::format("\"{}\": the first column appears to be a point number; name the "
+                                "columns in a preceding line, such as id,x,y,z",
+                                trimmed(first_->text).substr(0, kShown)));
     }
     if (fields.size() >= 3 && std::abs(*table_number(fields[2])) > kMaxHeight) {
       fail(*first_, fmt::format("column 3 as z is {}, no height; name the columns in a line before "

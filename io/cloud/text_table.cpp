@@ -137,8 +137,8 @@ class TextTableSource : public CloudSource {
                            field.find_first_not_of("+-0123456789.,") == std::string_view::npos;
     throw IoError(
         info().path,
-        fmt::format("line {}: \"{}\" is no number{}", line_number, field.substr(0, kShown),
-                    has_marks ? "; write it without marks between the thousands" : ""));
+        fmt::format("line {}: \"{}\" is not a number{}", line_number, field.substr(0, kShown),
+                    has_marks ? "; write it without thousands separators" : ""));
   }
 
   TextTable table_;
@@ -231,7 +231,7 @@ std::unique_ptr<CloudSource> open_text_table(TextTable table,
   constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
   RowIndex index = index_rows(table, has_row_count ? info.n_points : kAll);
   if (has_row_count && index.n_rows != info.n_points) {
-    throw IoError(info.path, fmt::format("claims {} points but has only {} lines of them",
+    throw IoError(info.path, fmt::format("declares {} points but has only {} lines of points",
                                          info.n_points, index.n_rows));
   }
   info.n_points = index.n_rows;

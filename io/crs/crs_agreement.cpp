@@ -77,7 +77,7 @@ std::string disagreement(const char* part, const PartFacts& a, const PartFacts& 
     reason += fmt::format("\"{}\" and \"{}\"", a.name, b.name);
   } else {
     reason +=
-        fmt::format("both are called \"{}\", but one has {}, the other {}", a.name,
+        fmt::format("both are called \"{}\", but one has {} and the other has {}", a.name,
                     only_in(a.ingredients, b.ingredients), only_in(b.ingredients, a.ingredients));
   }
   if (!same_unit(a.unit_m, b.unit_m)) {
@@ -96,8 +96,9 @@ void compare_horizontal(PJ_CONTEXT* context,
   if (!a.horizontal || !b.horizontal) {
     if (a.horizontal || b.horizontal) {
       agreement.warning = fmt::format(
-          "one of \"{}\" and \"{}\" states no horizontal reference system; taken as equal", a.name,
-          b.name);
+          "one of \"{}\" and \"{}\" has no horizontal reference system; assuming that they are the "
+          "same",
+          a.name, b.name);
     }
     return;
   }
@@ -116,7 +117,7 @@ std::string one_without_heights(const CrsFacts& a, const CrsFacts& b) {
                               ? fmt::format("only one of two files in \"{}\"", a.name)
                               : fmt::format("only one of \"{}\" and \"{}\"", a.name, b.name);
   return fmt::format(
-      "{} states its vertical reference system (\"{}\"): heights may differ by tens of metres", who,
+      "{} has a vertical reference system (\"{}\"): heights may differ by tens of metres", who,
       a.vertical_name.empty() ? b.vertical_name : a.vertical_name);
 }
 

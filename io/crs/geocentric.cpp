@@ -55,7 +55,7 @@ GeocentricMap::GeocentricMap(const Crs& map) : transforms_(std::make_unique<Tran
   const proj::Object source(proj_crs_promote_to_3D(context, nullptr, plane_source.get()));
   proj::Object steps(
       proj_create_crs_to_crs_from_pj(context, source.get(), target.get(), nullptr, nullptr));
-  check(steps != nullptr, "crs = ", parts.name, ", must be one that PROJ projects to");
+  check(steps != nullptr, "crs = ", parts.name, ", must be one that PROJ can project to");
   t.map_from_geographic.reset(proj_normalize_for_visualization(context, steps.get()));
   t.cart = cart_of(context, target.get());
   t.crs.definition = proj_as_wkt(context, target.get(), PJ_WKT2_2019, nullptr);

@@ -132,8 +132,8 @@ proj::Object user_grid(PJ_CONTEXT* context, const std::string& path) {
   proj::Object grid = grid_shift(context, fs::absolute(path).string());
   if (grid) return grid;
   throw IoError(path,
-                "is no grid that PROJ reads; must be GTX or GeoTIFF, the height of the geoid above "
-                "the ellipsoid in metres");
+                "is not a grid that PROJ can read; must be a GTX or GeoTIFF file with the height "
+                "of the geoid above the ellipsoid in metres");
 }
 
 }  // namespace

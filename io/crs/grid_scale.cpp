@@ -125,8 +125,8 @@ std::optional<GridScale> grid_scale(const Crs& crs, const Eigen::Vector2d& posit
 }
 
 std::string scale_text(const GridScale& scale) {
-  return fmt::format("{:.4g} times as long as on the ground in x and {:.4g} times in y at {}",
-                     scale.scale.x(), scale.scale.y(), place_text(scale));
+  return fmt::format("{:.4g} in x and {:.4g} in y at {}", scale.scale.x(), scale.scale.y(),
+                     place_text(scale));
 }
 
 std::string utm_zone_text(const Crs& crs, const GridScale& scale) {
@@ -159,15 +159,16 @@ std::string require_true_scale(const std::string& path,
   const std::string name = describe(crs).name;
   if (!scale->in_area_of_use) {
     return fmt::format(
-        "{}: lies at {} by \"{}\", outside of its area of use: is this the right reference system?",
+        "{}: lies at {} according to \"{}\", outside its area of use; is this the right reference "
+        "system?",
         path, place_text(*scale), name);
   }
-  throw IoError(path,
-                fmt::format("distances in the plan of \"{}\" are {}, but heights are not, so all "
-                            "figures would be wrong; must be within {:g} %: project the data, for "
-                            "instance to {}{}",
-                            name, scale_text(*scale), 100.0 * kMaxScaleError,
-                            utm_zone_text(crs, *scale), remedy));
+  throw IoError(
+      path,
+      fmt::format("the map scale of \"{}\" is {}, while heights are true, so all figures would be "
+                  "wrong; must be within {:g} % of 1: project the data, for instance to {}{}",
+                  name, scale_text(*scale), 100.0 * kMaxScaleError, utm_zone_text(crs, *scale),
+                  remedy));
 }
 
 }  // namespace ridgeline::io

@@ -53,9 +53,9 @@ void check_data(PJ_CONTEXT* context) {
     const char* const value = std::getenv(variable);
     return value == nullptr ? std::string("not set") : fmt::format("\"{}\"", value);
   };
-  check(database != nullptr && *database != '\0', "PROJ finds no proj.db: PROJ_DATA is ",
+  check(database != nullptr && *database != '\0', "PROJ cannot find proj.db: PROJ_DATA is ",
         value_of("PROJ_DATA"), ", PROJ_LIB is ", value_of("PROJ_LIB"),
-        "; unset them or name the folder that holds proj.db (package proj-data)");
+        "; unset them or set them to the folder of proj.db (package proj-data)");
 }
 
 Object create_crs(PJ_CONTEXT* context, const Crs& crs) {
@@ -69,7 +69,7 @@ Object create_crs(PJ_CONTEXT* context, const Crs& crs) {
   }
   Object whole(proj_create(context, crs.definition.c_str()));
   if (!whole) check_data(context);
-  check(whole != nullptr, "crs = \"", shown, "\", must be a definition that PROJ reads");
+  check(whole != nullptr, "crs = \"", shown, "\", must be a definition known to PROJ");
   return whole;
 }
 
@@ -95,7 +95,7 @@ Parts split(PJ_CONTEXT* context, const Crs& crs) {
   Parts parts;
   if (!crs.known()) return parts;
   Object whole = unbound(context, create_crs(context, crs));
-  check(whole != nullptr, "crs = \"", crs.definition, "\", must be a definition that PROJ reads");
+  check(whole != nullptr, "crs = \"", crs.definition, "\", must be a definition known to PROJ");
   check(proj_is_crs(whole.get()) != 0, "crs = \"", crs.definition,
         "\", must be a coordinate reference system (a PROJ string needs +type=crs)");
   parts.name = proj_get_name(whole.get());

@@ -48,7 +48,7 @@ AtomicFile::AtomicFile(const std::string& path)
       temporary_path_(temporary_name(beside(path, is_device_))),
       folders_(fs::path(temporary_path_).parent_path()) {
   std::error_code error;
-  if (fs::is_directory(path, error)) throw IoError(path, "is a folder; must be a file to write");
+  if (fs::is_directory(path, error)) throw IoError(path, "is a folder; must be a file");
   stream_.open(temporary_path_, std::ios::binary | std::ios::trunc);
   if (!stream_) throw IoError(path, "cannot be written; check the folder's permissions");
 }
@@ -62,12 +62,12 @@ AtomicFile::~AtomicFile() {
 
 void AtomicFile::commit() {
   stream_.close();
-  if (!stream_) throw IoError(path_, "could not be written whole; is the disk full?");
+  if (!stream_) throw IoError(path_, "could not be written completely; is the disk full?");
   if (is_device_) return send_to_device();
   try {
     put_in_place(temporary_path_, path_);
   } catch (const fs::filesystem_error& error) {
-    throw IoError(path_, "cannot be put in place: " + error.code().message());
+    throw IoError(path_, "cannot be moved into place: " + error.code().message());
   }
   committed_ = true;
 }
@@ -78,7 +78,7 @@ void AtomicFile::send_to_device() {
   std::ofstream to(path_, std::ios::binary | std::ios::app);
   if (fs::file_size(temporary_path_) > 0) to << from.rdbuf();
   to.close();
-  if (!to) throw IoError(path_, "could not be written whole");
+  if (!to) throw IoError(path_, "could not be written completely");
 }
 
 bool is_left_by_dead_process(const std::string& file_name) {

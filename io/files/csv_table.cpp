@@ -29,8 +29,7 @@ std::vector<std::string_view> plain_fields_of(std::string_view row) {
 CsvTable::CsvTable(const std::string& path, std::optional<FileGroup> expected)
     : path_(path), content_(read_input(path, expected)) {
   const std::vector<TextRow> rows = rows_of(content_);
-  if (rows.empty())
-    throw IoError(path, "is empty; a header with the names of the columns is expected");
+  if (rows.empty()) throw IoError(path, "is empty; a header with column names is expected");
   for (const std::string_view name : fields_of(rows.front())) names_.push_back(lower_case(name));
   for (std::size_t i = 1; i < rows.size(); ++i) {
     rows_.push_back({rows[i].number, fields_of(rows[i])});

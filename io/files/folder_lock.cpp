@@ -69,9 +69,10 @@ int locked_file(const fs::path& folder, const fs::path& file) {
     if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       const std::string owner = owner_of(descriptor);
       close(descriptor);
-      throw IoError(folder.string(), fmt::format("{} is writing results there; wait for its end or "
-                                                 "choose another folder",
-                                                 owner));
+      throw IoError(
+          folder.string(),
+          fmt::format("{} is writing results there; wait until it ends or choose another folder",
+                      owner));
     }
     // On a file system without locks flock() fails with another error. Results are written there
     // all the same.
@@ -194,8 +195,8 @@ void FolderLock::refuse_foreign(const std::string& name) const {
   const bool is_of_older_version = !has_list_ && is_record(folder_ / kRecords[0]);
   throw IoError(file.string(),
                 is_of_older_version
-                    ? "is in a folder of an older version, which kept no list of its files; choose "
-                      "another folder"
+                    ? "is in a folder written by an older version, which kept no list of its "
+                      "files; choose another folder"
                     : "was not written by ridgeline or has changed since, and would be "
                       "overwritten; move it away or choose another folder");
 }

@@ -34,7 +34,7 @@ std::filesystem::file_status status_of(const std::string& path, std::optional<Fi
 }
 
 [[noreturn]] void refuse_irregular(const std::string& path) {
-  throw IoError(path, "is no regular file but a device, a pipe or a socket; copy it into a file");
+  throw IoError(path, "is a device, pipe or socket; copy it into a file");
 }
 
 std::string read_at_most(const std::string& path,
@@ -51,7 +51,7 @@ std::string read_at_most(const std::string& path,
     bytes.append(block.data(), static_cast<std::size_t>(stream.gcount()));
     if (is_first && expected) refuse_other_kind(path, bytes, *expected);
     if (bytes.size() > most_bytes) {
-      throw IoError(path, "more than 64 MiB come from the pipe; copy them into a file");
+      throw IoError(path, "the pipe delivers more than 64 MiB; copy its data into a file");
     }
   }
   if (stream.bad()) throw IoError(path, "cannot be read");

@@ -18,8 +18,8 @@ MadeFolders::MadeFolders(const fs::path& folder) {
   }
   fs::create_directories(folder, error);
   if (fs::is_directory(folder)) return;
-  const std::string why = error ? error.message() : "a file stands there";
-  throw IoError(folder.string(), "folder cannot be made: " + why);
+  const std::string why = error ? error.message() : "a file of that name exists";
+  throw IoError(folder.string(), "the folder cannot be created: " + why);
 }
 
 MadeFolders::~MadeFolders() {

@@ -17,7 +17,7 @@ ScratchFolder::ScratchFolder(const std::string& target)
   std::string pattern =
       (target_.parent_path() / fmt::format(".ridgeline.{}.0.tmp.XXXXXX", getpid())).string();
   if (mkdtemp(pattern.data()) == nullptr) {
-    throw IoError(target, "cannot be written: its folder cannot be made or is closed to writing");
+    throw IoError(target, "cannot be written: its folder cannot be created or is not writable");
   }
   folder_ = pattern;
 }

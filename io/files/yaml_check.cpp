@@ -15,7 +15,7 @@ namespace ridgeline::io {
 namespace {
 
 std::string scalar_text(const std::string& path, const YAML::Node& node, const std::string& name) {
-  if (!node.IsScalar() || node.Scalar().empty()) fail_yaml(path, node, name + " must be a text");
+  if (!node.IsScalar() || node.Scalar().empty()) fail_yaml(path, node, name + " must be a string");
   return node.Scalar();
 }
 
@@ -35,8 +35,8 @@ void refuse_too_many_values(const std::string& path, std::string_view content) {
   const auto n_values = std::ranges::count_if(
       content, [](char c) { return std::string_view(",:\n[{").find(c) != std::string_view::npos; });
   if (n_values <= kMaxValues) return;
-  throw IoError(path, fmt::format("holds about {} values; at most {} are read from a YAML file",
-                                  n_values, kMaxValues));
+  throw IoError(path, fmt::format("has about {} values; a YAML file may have at most {}", n_values,
+                                  kMaxValues));
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ YAML::Node parse_yaml(const std::string& content, const std::string& path) {
   try {
     const std::vector<YAML::Node> documents = YAML::LoadAll(content);
     if (documents.size() > 1) {
-      fail_yaml(path, documents[1], "a second document begins ('---'); one is expected");
+      fail_yaml(path, documents[1], "a second document begins ('---'); a single one is expected");
     }
     return documents.empty() ? YAML::Node() : documents.front();
   } catch (const YAML::Exception& error) {
@@ -73,14 +73,14 @@ YamlMap::YamlMap(std::string path,
   if (!node.IsMap()) fail_yaml(path_, node, "a mapping is expected; " + known_keys);
   std::set<std::string> seen;
   for (const auto& entry : node) {
-    const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "(not a text)";
+    const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "(not a string)";
     if (std::find(known.begin(), known.end(), key) == known.end()) {
       fail_yaml(path_, entry.first,
-                fmt::format("unknown key '{}', the nearest is '{}'; {}", key,
+                fmt::format("unknown key '{}', did you mean '{}'? {}", key,
                             nearest_name(key, known), known_keys));
     }
     if (!seen.insert(key).second) {
-      fail_yaml(path_, entry.first, fmt::format("key '{}' is given twice", key));
+      fail_yaml(path_, entry.first, fmt::format("key '{}' appears twice", key));
     }
   }
 }

@@ -48,8 +48,8 @@ GDALDatasetUniquePtr open_vectors(const std::string& path, const QuietGdal& quie
   GDALDatasetUniquePtr dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
   if (!dataset) {
-    throw IoError(path, "is no readable GeoPackage, GeoJSON or Shapefile with polygons: " +
-                            quiet.complaints("its content is none of these"));
+    throw IoError(path, "is not a readable GeoPackage, GeoJSON or Shapefile with polygons: " +
+                            quiet.complaints("the content has none of these formats"));
   }
   return dataset;
 }
@@ -88,11 +88,12 @@ PolygonOutline read_polygon_outline(const std::string& path) {
     if (points.size() == n_before) continue;
     const Crs crs = crs_of(layer->GetSpatialRef());
     if (n_before > 0 && crs.definition != outline.crs.definition)
-      throw IoError(path, "has polygons in layers of different reference systems; give one layer");
+      throw IoError(path,
+                    "has polygon layers with different reference systems; use a single layer");
     outline.crs = crs;
   }
   if (!std::ranges::all_of(points, [](const Eigen::Vector2d& x) { return x.allFinite(); }))
-    throw IoError(path, "has a polygon with coordinates that are not finite");
+    throw IoError(path, "has a polygon with non-finite coordinates");
   outline.corners = convex_hull(std::move(points));
   if (outline.corners.size() < 3) throw IoError(path, "has no polygon with an area");
   return outline;

@@ -23,12 +23,13 @@ GDALDatasetUniquePtr open_raster(const std::string& path, const QuietGdal& quiet
   GDALDatasetUniquePtr dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
   if (!dataset) {
-    throw IoError(path, "is no readable surface model (GeoTIFF or ASCII grid): " +
-                            quiet.complaints("its content is none of these"));
+    throw IoError(path, "is not a readable surface model (GeoTIFF or ASCII grid): " +
+                            quiet.complaints("the content has none of these formats"));
   }
   if (dataset->GetRasterCount() != 1)
-    throw IoError(path, fmt::format("has {} bands; a surface model has one band of heights",
-                                    dataset->GetRasterCount()));
+    throw IoError(path,
+                  fmt::format("has {} bands; a surface model must have a single band of heights",
+                              dataset->GetRasterCount()));
   return dataset;
 }
 
@@ -62,7 +63,7 @@ SurfaceHeights read_surface_heights(const std::string& path, const Eigen::Aligne
   std::array<double, 6> t{};  // x = t0 + t1 column + t2 row, y = t3 + t4 column + t5 row
   if (dataset->GetGeoTransform(t.data()) != CE_None || t[2] != 0.0 || t[4] != 0.0 || t[1] == 0.0 ||
       t[5] == 0.0)
-    throw IoError(path, "has no georeference, or one that is turned against the map");
+    throw IoError(path, "has no georeference, or a rotated one");
   const auto columns =
       cells_within(t[0], t[1], bounds.min().x(), bounds.max().x(), dataset->GetRasterXSize());
   const auto rows =
@@ -86,7 +87,7 @@ SurfaceHeights read_surface_heights(const std::string& path, const Eigen::Aligne
   }
   if (found.heights_m.empty())
     throw IoError(
-        path, fmt::format("has no height within x {:.1f} .. {:.1f}, y {:.1f} .. {:.1f}",
+        path, fmt::format("has no heights within x {:.1f} .. {:.1f}, y {:.1f} .. {:.1f}",
                           bounds.min().x(), bounds.max().x(), bounds.min().y(), bounds.max().y()));
   return found;
 }

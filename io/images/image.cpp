@@ -43,9 +43,9 @@ Window wanted(const std::string& path, const ImageFacts& facts, const ImageReadi
                          window.height <= height && window.column <= width - window.width &&
                          window.row <= height - window.height;
   if (!is_within) {
-    throw IoError(path,
-                  fmt::format("{} x {} pixels do not hold the window of {} x {} at {}, {}", width,
-                              height, window.width, window.height, window.column, window.row));
+    throw IoError(
+        path, fmt::format("{} x {} pixels do not contain the window of {} x {} at {}, {}", width,
+                          height, window.width, window.height, window.column, window.row));
   }
   return stored_window(window, reading.turn, facts.width_px, facts.height_px);
 }
@@ -210,18 +210,19 @@ void check_image_size(const std::string& path,
                   read.width, read.height, mpx, rule, std::ceil(mpx)));
   };
   if (max_mpx > 0.0) {
-    if (mpx > max_mpx) refuse(fmt::format("at most {:g} million are allowed", max_mpx));
+    if (mpx > max_mpx) refuse(fmt::format("the limit is {:g} million", max_mpx));
     return;
   }
   if (mpx > kDefaultMaxImage_mpx) {
-    refuse(fmt::format("at most {:g} million are read unasked", kDefaultMaxImage_mpx));
+    refuse(fmt::format("the default limit is {:g} million", kDefaultMaxImage_mpx));
   }
   const auto bytes = static_cast<double>(std::filesystem::file_size(path));
   if (mpx > kFreeImage_mpx + kMaxPixelsPerByte * bytes / kMega) {
-    refuse(fmt::format(
-        "a file of {:.0f} bytes is read unasked up to {:.4g} million ({:g} and {:g} per byte)",
-        bytes, kFreeImage_mpx + kMaxPixelsPerByte * bytes / kMega, kFreeImage_mpx,
-        kMaxPixelsPerByte));
+    refuse(
+        fmt::format("the default limit for a file of {:.0f} bytes is {:.4g} million ({:g} million "
+                    "and {:g} pixels per byte)",
+                    bytes, kFreeImage_mpx + kMaxPixelsPerByte * bytes / kMega, kFreeImage_mpx,
+                    kMaxPixelsPerByte));
   }
 }
 
@@ -269,8 +270,7 @@ std::optional<std::string> slow_reading(const std::string& path, const Window& w
   if (decoded < kMuch_mpx * kMega || decoded < kTimesTheWindow * pixels_of(window))
     return std::nullopt;
   return fmt::format(
-      "{}: {:.0f} million pixels are decoded for a window of {:.2g} million; a file in tiles is "
-      "read "
+      "{}: {:.0f} million pixels are decoded for a window of {:.2g} million; a tiled file is "
       "faster (gdal_translate -co TILED=YES -co COMPRESS=DEFLATE {} OUT.tif)",
       path, decoded / kMega, pixels_of(window) / kMega, path);
 }

@@ -57,13 +57,12 @@ void refuse_other_colours(const std::string& path, GDALDataset& dataset) {
   if (first.GetColorInterpretation() == GCI_CyanBand ||
       structure(dataset, "SOURCE_COLOR_SPACE") == "CMYK") {
     throw IoError(path,
-                  "is CMYK, which is ink on paper; convert it to grey values, RGB or the "
-                  "bands of the camera");
+                  "is a CMYK image; convert it to grey values, RGB or the bands of the camera");
   }
   if (structure(dataset, "COMPRESSION").ends_with("JPEG") && structure(first, "NBITS") == "12") {
     throw IoError(path,
-                  "is JPEG of 12 bit in TIFF, which is not read; compress it by deflate "
-                  "(gdal_translate -co COMPRESS=DEFLATE -co TILED=YES)");
+                  "is a TIFF with 12-bit JPEG compression, which is not supported; compress it "
+                  "with deflate (gdal_translate -co COMPRESS=DEFLATE -co TILED=YES)");
   }
 }
 
@@ -86,7 +85,7 @@ GDALDatasetUniquePtr ImageSession::open(const std::string& path) const {
     throw IoError(path, "is a folder, not an image");
   }
   if (!std::filesystem::is_regular_file(status)) {
-    throw IoError(path, "is a device, pipe or socket; an image must be a file");
+    throw IoError(path, "is a device, pipe or socket; an image must be a regular file");
   }
   register_gdal_drivers();
   // Only these drivers are used, as others of GDAL follow references to more files and to
@@ -96,8 +95,8 @@ GDALDatasetUniquePtr ImageSession::open(const std::string& path) const {
       GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
   if (!dataset) {
     refuse_other_kind(path, FileGroup::kImage);
-    throw IoError(path, "is no readable TIFF, PNG, JPEG or JPEG 2000 image: " +
-                            shortened(quiet_.complaints("its content is none of these")));
+    throw IoError(path, "is not a readable TIFF, PNG, JPEG or JPEG 2000 image: " +
+                            shortened(quiet_.complaints("the content has none of these formats")));
   }
   return dataset;
 }

@@ -83,7 +83,7 @@ FileKind kind_of_patches(const std::vector<std::string>& files) {
 FileKind kind_of_contents(const std::vector<std::string>& names) {
   const std::string found = contents(names);
   if (found.empty())
-    return {.group = kFolder, .what = names.empty() ? "a folder, which is empty" : "a folder"};
+    return {.group = kFolder, .what = names.empty() ? "an empty folder" : "a folder"};
   return {.group = kFolder,
           .what = "a folder with " + found,
           .advice = "give its files by name or pattern"};
@@ -105,7 +105,7 @@ FileKind kind_of_folder(const fs::path& folder) {
   const std::vector<std::string> names = names_in(folder);
   if (holds_results(folder, names)) {
     return {.group = kResultFolder,
-            .what = "a folder of results",
+            .what = "a results folder",
             .advice = info_of(kResultFolder).advice};
   }
   if (is_there(folder / "compare.json")) {
@@ -119,17 +119,17 @@ FileKind kind_of_folder(const fs::path& folder) {
   });
   if (is_limap) {
     return {.group = kLineFolder,
-            .what = "a folder of LIMAP's tracks",
+            .what = "a folder of LIMAP tracks",
             .advice = info_of(kLineFolder).advice};
   }
   if (holds_colmap(folder)) {
     return {.group = kOrientation,
-            .what = "a model of COLMAP",
+            .what = "a COLMAP model",
             .advice = "name it as colmap in a patch file"};
   }
   if (lower_case(folder.extension().string()) == ".gdb") {
     return {.group = kOther,
-            .what = "a file geodatabase of Esri",
+            .what = "an Esri file geodatabase",
             .advice = "save its lines as GeoPackage"};
   }
   return kind_of_contents(names);

@@ -24,7 +24,7 @@ struct Format {
   const char* advice = "";
 };
 
-constexpr const char* kNotRead = "which is not read";
+constexpr const char* kNotRead = "which is not supported";
 constexpr const char* kUnpack = "unpack it";
 constexpr const char* kAsTiff = "save it as TIFF";
 constexpr const char* kAsDxf = "save it as DXF";
@@ -63,15 +63,15 @@ constexpr std::array kKnownFormats{
     Format{"a BMP image", kOther, {}, ".bmp", kAsTiff},
     Format{"HDF5", kOther, {{{"\x89HDF"}}}, "", kNotRead},
     Format{"a ZIP archive", kOther, {{{"PK\x03\x04"}, {"PK\x05\x06"}}}, ".zip", kUnpack},
-    Format{"compressed by gzip", kOther, {{{"\x1F\x8B"}}}, ".gz", kUnpack},
-    Format{"compressed by bzip2", kOther, {{{"BZh"}}}, "", kUnpack},
-    Format{"compressed by xz",
+    Format{"compressed with gzip", kOther, {{{"\x1F\x8B"}}}, ".gz", kUnpack},
+    Format{"compressed with bzip2", kOther, {{{"BZh"}}}, "", kUnpack},
+    Format{"compressed with xz",
            kOther,
            {{{"\xFD"
               "7zXZ"}}},
            "",
            kUnpack},
-    Format{"compressed by zstd", kOther, {{{"\x28\xB5\x2F\xFD"}}}, "", kUnpack},
+    Format{"compressed with zstd", kOther, {{{"\x28\xB5\x2F\xFD"}}}, "", kUnpack},
     Format{"a 7z archive", kOther, {{{"7z\xBC\xAF"}}}, "", kUnpack},
     Format{"a RAR archive", kOther, {{{"Rar!"}}}, "", kUnpack},
     Format{"a tar archive", kOther, {{{"ustar", 257}}}, "", kUnpack},
@@ -93,23 +93,23 @@ constexpr std::array kKnownFormats{
            kOther,
            {{{"<!DOCTYPE html"}, {"<!doctype html"}, {"<html"}}},
            ".html",
-           "perhaps of a failed download"},
+           "perhaps from a failed download"},
     Format{"KML, whose coordinates are degrees", kOther, {}, ".kml .kmz", "project it"},
-    Format{"XML of a VRT", kOther, {}, ".vrt", "give the images that it names"},
-    Format{"XML, as of GML",
+    Format{"a VRT (XML)", kOther, {}, ".vrt", "give the images named in it"},
+    Format{"XML, such as GML",
            kOther,
            {},
            ".xml .gml .citygml",
-           "which is not read, save its lines as GeoPackage"},
+           "which is not supported, save its lines as GeoPackage"},
     Format{"a sequence of JSON texts",
            kOther,
            {},
            ".geojsonl .geojsons .ndjson .jsonl",
-           "which is not read, save it as one FeatureCollection"},
-    Format{"the table of a Shapefile", kOther, {}, ".dbf", kGiveShp},
+           "which is not supported, save it as one FeatureCollection"},
+    Format{"the attribute table of a Shapefile", kOther, {}, ".dbf", kGiveShp},
     Format{"the index of a Shapefile", kOther, {}, ".shx", kGiveShp},
     Format{"the reference system of a Shapefile", kOther, {}, ".prj", kGiveShp},
-    Format{"a project of QGIS", kOther, {}, ".qgz", "save its lines as GeoPackage"}};
+    Format{"a QGIS project", kOther, {}, ".qgz", "save its lines as GeoPackage"}};
 
 bool has_word(std::string_view words, std::string_view word) {
   for (std::size_t at = words.find(word); at < words.size(); at = words.find(word, at + 1)) {

@@ -53,9 +53,7 @@ bool is_laz(std::string_view start) {
 
 FileKind kind_by_bytes(std::string_view start) {
   if (is_report(start)) {
-    return {.group = kResult,
-            .what = "a report of results (report.html)",
-            .advice = "open it in a browser"};
+    return {.group = kResult, .what = "a report (report.html)", .advice = "open it in a browser"};
   }
   if (start.starts_with("ply\n") || start.starts_with("ply\r")) return kind_of_ply(start);
   FileKind kind = kind_by_mark(start);
@@ -86,8 +84,8 @@ void refuse_wrong_ending(const std::string& path, const FileKind& kind) {
   const std::string extension = extension_in(path);
   const bool fits = kind.ending.empty() || reader_ending(kind.ending) == reader_ending(extension);
   if (fits) return;
-  throw IoError(path, fmt::format("is {}, but is not named so; let its name end in {}", kind.what,
-                                  kind.ending));
+  throw IoError(path, fmt::format("is {}, but its name does not match; use a name that ends in {}",
+                                  kind.what, kind.ending));
 }
 
 void refuse_kind(const std::string& path, const FileKind& kind, FileGroup expected) {

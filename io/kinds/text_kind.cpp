@@ -20,8 +20,8 @@ using enum FileGroup;
 
 constexpr const char* kGeoJson = "GeoJSON";
 constexpr const char* kWkt = "lines as WKT";
-constexpr const char* kCityJson = "a model of buildings (CityJSON)";
-constexpr const char* kUnread = "which is not read";
+constexpr const char* kCityJson = "a building model (CityJSON)";
+constexpr const char* kUnread = "which is not supported";
 constexpr const char* kAsGeoJson = "save it as GeoJSON";
 constexpr const char* kGeoJsonTypes =
     "FeatureCollection Feature Point MultiPoint LineString MultiLineString Polygon MultiPolygon "
@@ -39,7 +39,7 @@ struct Known {
 /// Documents by the value of their outermost key `type`, of which one is named.
 constexpr std::array kDocumentTypes{
     Known{kGeoJson, kLines, kGeoJsonTypes, "", ".geojson"},
-    Known{"a feature of CityJSON", kOther, "CityJSONFeature",
+    Known{"a CityJSON feature", kOther, "CityJSONFeature",
           "give the whole file, which begins with \"CityJSON\""},
     Known{kCityJson, kModel, "CityJSON CityJSONExtension", "", ".city.json"},
     Known{"TopoJSON", kOther, "Topology", kAsGeoJson}};
@@ -49,13 +49,13 @@ constexpr std::array kDocuments{
     Known{kCityJson, kModel, "CityObjects", "", ".city.json"},
     Known{"glTF, a mesh for display", kOther, "asset meshes", kUnread},
     Known{"glTF, a mesh for display", kOther, "asset scenes", kUnread},
-    Known{"JSON of Esri", kOther, "geometryType", kAsGeoJson},
-    Known{"JSON of Esri", kOther, "spatialReference", kAsGeoJson},
+    Known{"Esri JSON", kOther, "geometryType", kAsGeoJson},
+    Known{"Esri JSON", kOther, "spatialReference", kAsGeoJson},
     // the type may stand behind the features, where it is not read
     Known{kGeoJson, kLines, "features", "", ".geojson"},
     Known{"an evaluation of lines (evaluation.METHOD.json)", kEvaluation, "patch method origin_m"},
     Known{"the record of a run (run.json)", kResult, "command versions"},
-    Known{"a report of gates", kOther, "passed gates", kUnread},
+    Known{"a gate report", kOther, "passed gates", kUnread},
     Known{"a comparison of results", kOther, "comparisons", kUnread},
     Known{"a table of results", kResult, "rows"},
     Known{"a list of lines to judge", kOther, "lines lidar",
@@ -121,7 +121,7 @@ FileKind kind_of_xml(std::string_view start) {
   if (mentions(start, "<VRTDataset")) return format_with_extension(".vrt");
   if (mentions(start, "<html")) return format_with_extension(".html");
   if (!mentions(start, "CityModel")) return format_with_extension(".xml");
-  return kind_of({"a model of buildings (CityGML)", kModel, "", "", ".gml"});
+  return kind_of({"a building model (CityGML)", kModel, "", "", ".gml"});
 }
 
 /// The fields of a row in lower case, without quotes, whatever divides them.
@@ -163,7 +163,7 @@ FileKind kind_of_rows(std::span<const TextRow> rows) {
   }
   // the first row may name the columns or count the points
   if (is_numbers(rows.size() > 1 ? fields_of_any(rows[1].text) : first)) {
-    return kind_of({"text of numbers, as of a point cloud or lines", kNumbers, ""});
+    return kind_of({"text with numbers, such as a point cloud or lines", kNumbers, ""});
   }
   return {};
 }

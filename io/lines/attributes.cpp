@@ -155,10 +155,12 @@ void check_covariance(const Matrix6d& covariance_m2,
                       const std::string& where) {
   for (int i = 0; i < 6; ++i) {
     if (covariance_m2(i, i) >= 0.0 && covariance_m2.row(i).allFinite()) continue;
-    throw IoError(where, fmt::format("covariance{} has the variance {} m2 of the {}'s {}; must be "
-                                     "finite and 0 or above",
-                                     id.empty() ? "" : fmt::format(" of line {}", id),
-                                     covariance_m2(i, i), i < 3 ? "start" : "end", "xyz"[i % 3]));
+    throw IoError(
+        where,
+        fmt::format(
+            "covariance{}: the variance is {} m2 for the {}'s {}; must be finite and at least 0",
+            id.empty() ? "" : fmt::format(" of line {}", id), covariance_m2(i, i),
+            i < 3 ? "start" : "end", "xyz"[i % 3]));
   }
 }
 
@@ -265,8 +267,8 @@ void AttributeReader::finish(LineSet& set) const {
   for (const auto& [name, misfit] : misfits_) {
     for (Line& line : set.lines) clear_attribute(name, line);
     set.warnings.push_back(fmt::format(
-        "column {} is another tool's and not read: {} in {}{} must be {}", name, misfit.first,
-        place_in_file(misfit.where, set.path),
+        "column {} has another meaning in this file and is ignored: {} in {}{} must be {}", name,
+        misfit.first, place_in_file(misfit.where, set.path),
         misfit.n_values > 1 ? fmt::format(" and {} more", misfit.n_values - 1) : "", misfit.rule));
   }
 }

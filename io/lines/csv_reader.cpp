@@ -129,7 +129,7 @@ Vertices coordinates_of(const std::vector<std::string>& fields,
   for (std::size_t i = 0; i < v.size(); ++i) {
     const std::string& word = fields[columns.coordinates[i]];
     const std::optional<double> number = coordinate_of(word, separator);
-    if (!number) throw IoError(where, "'" + word.substr(0, 40) + "' is no number");
+    if (!number) throw IoError(where, "'" + word.substr(0, 40) + "' is not a number");
     v[i] = *number;
   }
   return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
@@ -184,7 +184,7 @@ Layout layout_of(const std::string& path, const std::vector<TextRow>& rows) {
     break;
   }
   if (i == rows.size()) {
-    throw IoError(path, "holds comments alone; a header or rows of six numbers are expected");
+    throw IoError(path, "has only comments; a header or rows of six numbers are expected");
   }
   layout.bare = is_bare(layout.header, layout.separator);
   layout.first_row = layout.bare ? i : i + 1;
@@ -247,7 +247,7 @@ FeatureGeometry geometry_of_wkt(const std::string& text, const std::string& wher
   const OGRErr error = OGRGeometryFactory::createFromWkt(standard_wkt(text).c_str(), nullptr, &raw);
   const std::unique_ptr<OGRGeometry> geometry(raw);
   if (error != OGRERR_NONE || !geometry) {
-    throw IoError(where, "'" + text.substr(0, 60) + "' is no WKT");
+    throw IoError(where, "'" + text.substr(0, 60) + "' is not WKT");
   }
   collect_geometry(*geometry, found);
   return found;
@@ -262,7 +262,7 @@ std::string without_srid(std::string_view text, Crs& crs, const std::string& whe
   const std::string_view code = text.substr(5, end - 5);
   const std::optional<long> number = to_integer(code);
   if (!number || *number < 0) {
-    throw IoError(where, fmt::format("SRID '{}'; must be a code of EPSG", code.substr(0, 40)));
+    throw IoError(where, fmt::format("SRID '{}'; must be an EPSG code", code.substr(0, 40)));
   }
   if (*number != 0) crs.definition = "EPSG:" + std::string(code);
   return std::string(text.substr(end + 1));

@@ -166,10 +166,10 @@ void FeatureCollector::append_edges() {
     append(surface, edges);
   }
   set_.format += ", edges of polygons";
-  set_.warnings.push_back(fmt::format(
-      "holds polygons and no 3D lines: the {} edges of {} polygons with heights are read, "
-      "those of neighbours once",
-      n_edges, n_polygons));
+  set_.warnings.push_back(
+      fmt::format("has polygons but no 3D lines: reading the {} edges of {} polygons with heights; "
+                  "shared edges are read once",
+                  n_edges, n_polygons));
 }
 
 }  // namespace ridgeline::io

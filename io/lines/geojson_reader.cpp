@@ -37,14 +37,14 @@ TopKeys keys_of(const json& document) {
   std::string message = error.what();  // "[json.exception...] parse error at line 1, column 5: "
   message.erase(0, message.find("] ") + 2);
   if (message.find("expected end of input") != std::string::npos) {
-    message += "; a sequence of JSON texts has to be saved as one FeatureCollection";
+    message += "; save a sequence of JSON texts as one FeatureCollection";
   }
-  throw IoError(path, "is no GeoJSON: " + message);
+  throw IoError(path, "is not GeoJSON: " + message);
 }
 
 json parse(const std::string& path, std::string_view content) {
   if (!is_shallow_json(content)) {
-    throw IoError(path, "is no GeoJSON: its arrays and objects lie too deep within each other");
+    throw IoError(path, "is not GeoJSON: its arrays and objects are nested too deeply");
   }
   try {
     return json::parse(content);
@@ -65,7 +65,7 @@ class GeoJsonReader {
     read_crs(document);
     if (type == "FeatureCollection") {
       const json& features = member(document, "features", path_);
-      if (!features.is_array()) throw IoError(path_, "\"features\" is no array");
+      if (!features.is_array()) throw IoError(path_, "\"features\" is not an array");
       for (const json& feature : features) read_feature(feature);
     } else if (type == "Feature") {
       read_feature(document);
@@ -86,7 +86,7 @@ class GeoJsonReader {
 
   [[nodiscard]] std::string type_of(const json& document) const {
     if (!document.is_object() || !document.contains("type") || !document["type"].is_string()) {
-      throw IoError(path_, "is no GeoJSON: an object with \"type\" is expected");
+      throw IoError(path_, "is not GeoJSON: an object with \"type\" is expected");
     }
     return document["type"].get<std::string>();
   }
@@ -97,7 +97,7 @@ class GeoJsonReader {
     const auto crs = document.find("crs");
     if (crs == document.end()) {
       set_.warnings.push_back(
-          "no crs member: reference system and units are taken to be those of the cloud");
+          "no crs member: assuming the reference system and units of the cloud");
       return;
     }
     if (crs->is_null()) return;
@@ -109,7 +109,7 @@ class GeoJsonReader {
 
   void read_feature(const json& feature) {
     const std::string where = fmt::format("{}: feature {}", path_, number_);
-    if (!feature.is_object()) throw IoError(where, "is no object");
+    if (!feature.is_object()) throw IoError(where, "is not an object");
     Feature found;
     collect(member(feature, "geometry", where), where, found.geometry);
     found.properties = feature.value("properties", json());
@@ -131,7 +131,7 @@ class GeoJsonReader {
     const std::string type = type_of(geometry);
     const auto each_of = [&](const char* name, const auto& take) {
       const json& list = member(geometry, name, where);
-      if (!list.is_array()) throw IoError(where, fmt::format("\"{}\" is no array", name));
+      if (!list.is_array()) throw IoError(where, fmt::format("\"{}\" is not an array", name));
       for (const json& element : list) take(element);
     };
     const auto add_line = [&](const json& line) {
@@ -158,12 +158,12 @@ class GeoJsonReader {
   }
 
   static std::vector<Vertices> rings_of(const json& polygon, const std::string& where) {
-    if (!polygon.is_array()) throw IoError(where, "a polygon is no array of rings");
+    if (!polygon.is_array()) throw IoError(where, "a polygon is not an array of rings");
     return transformed(polygon, [&](const json& ring) { return vertices_of(ring, where); });
   }
 
   static Vertices vertices_of(const json& positions, const std::string& where) {
-    if (!positions.is_array()) throw IoError(where, "a line is no array of positions");
+    if (!positions.is_array()) throw IoError(where, "a line is not an array of positions");
     Vertices vertices;
     for (const json& position : positions) vertices.push_back(vertex_of(position, where));
     return vertices;
@@ -180,7 +180,7 @@ class GeoJsonReader {
       const json& value = position[static_cast<std::size_t>(axis)];
       if (value.is_null()) continue;
       if (!value.is_number()) {
-        throw IoError(where, "coordinate " + excerpt(value) + " is no number");
+        throw IoError(where, "coordinate " + excerpt(value) + " is not a number");
       }
       vertex[axis] = value.get<double>();
     }

@@ -92,7 +92,7 @@ std::string quoted(const std::string& name) {
 
 /// Says what computes the rows of a layer when they are read; empty for a plain table.
 std::string computed_by(sqlite3* database, const SchemaEntry& entry) {
-  if (entry.is_view) return "is a view, which may compute without end";
+  if (entry.is_view) return "is a view, whose query may never finish";
   if (entry.is_virtual) return "is a virtual table";
   const Statement statement =
       prepare(database, fmt::format("PRAGMA table_xinfo({})", quoted(entry.name)));
@@ -133,7 +133,7 @@ void refuse_large_values(sqlite3* database,
                                       table, column));
     }
     if (result == SQLITE_INTERRUPT) {
-      throw IoError(path, fmt::format("layer {} is damaged: its rows do not end", table));
+      throw IoError(path, fmt::format("layer {} is damaged: its rows form an endless loop", table));
     }
   }
 }
@@ -159,7 +159,7 @@ std::vector<UnreadLayer> unread_layers(const std::string& path) {
     // The queries below read these tables, which list the layers, so they must not be views.
     const std::string name = lower_case(entry.name);
     if (entry.is_view && (name.starts_with("gpkg_") || name.starts_with("sqlite_"))) {
-      throw IoError(path, fmt::format("is no GeoPackage: its table {} is a view", entry.name));
+      throw IoError(path, fmt::format("is not a GeoPackage: its table {} is a view", entry.name));
     }
   }
   const std::vector<std::string> layers = layers_of(database.get(), "gpkg_contents");

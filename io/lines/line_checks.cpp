@@ -59,25 +59,26 @@ bool is_left_out(const Line& line) {
 
 [[noreturn]] void refuse_no_3d_lines(const std::string& path, const KindCounts& held) {
   throw IoError(
-      path, fmt::format(
-                "holds no 3D lines but {}; 3D lines, or polygons or faces with heights, are needed",
-                held.text()));
+      path,
+      fmt::format("has no 3D lines but {}; 3D lines, or polygons or faces with heights, are needed",
+                  held.text()));
 }
 
 void refuse_degrees(const LineSet& set) {
   if (set.crs.known() && describe(set.crs).is_geographic) {
-    throw IoError(set.path, fmt::format("coordinates in degrees ({}); project the lines to the "
-                                        "cloud's reference system",
-                                        describe(set.crs).name));
+    throw IoError(
+        set.path,
+        fmt::format(
+            "the coordinates are degrees ({}); project the lines to the cloud's reference system",
+            describe(set.crs).name));
   }
   if (!looks_like_degrees(set)) return;
-  throw IoError(
-      set.path,
-      fmt::format("the coordinates are degrees by their size and {}; project the lines to "
-                  "the cloud's reference system",
-                  set.crs.known()
-                      ? fmt::format("no metres or feet of \"{}\"", describe(set.crs).name)
-                      : "no reference system is stated"));
+  throw IoError(set.path,
+                fmt::format("the coordinates look like degrees, {}; project the lines to the "
+                            "cloud's reference system",
+                            set.crs.known() ? fmt::format("not the metres or feet of \"{}\"",
+                                                          describe(set.crs).name)
+                                            : "and no reference system is given"));
 }
 
 void add_coordinate_warnings(LineSet& set) {
@@ -100,15 +101,15 @@ void add_coordinate_warnings(LineSet& set) {
     refuse_no_3d_lines(set.path, placeless);
   }
   const auto warn = [&set](std::string text) { set.warnings.push_back(std::move(text)); };
-  if (n == 0) warn("holds no lines");
+  if (n == 0) warn("has no lines");
   if (n > 0 && all_zero) warn("all z are 0: heights are missing");
   if (n_placeless > 0) {
-    warn(fmt::format("{} of {} lines have coordinates that are not finite: {}", n_placeless, n,
+    warn(fmt::format("{} of {} lines have non-finite coordinates: {}", n_placeless, n,
                      placeless.text()));
   }
-  if (!set.left_out.empty()) warn("left out: " + set.left_out.text());
+  if (!set.left_out.empty()) warn("ignored: " + set.left_out.text());
   if (set.n_straight_vertices > 0) {
-    warn(fmt::format("{} vertices within {} of a straight line do not divide it",
+    warn(fmt::format("{} vertices within {} of a straight line are ignored",
                      set.n_straight_vertices, kStraightTolerance));
   }
 }

@@ -79,7 +79,7 @@ void for_each_map_line(const std::string& path, const std::function<void(const M
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers, nullptr));
   OGRLayer* const layer = map ? lines_of(*map) : nullptr;
   if (layer == nullptr)
-    throw IoError(path, "is no map of lines: " + quiet.complaints("it has no layer"));
+    throw IoError(path, "is not a map of lines: " + quiet.complaints("it has no layer"));
   const MapColumns columns(*layer->GetLayerDefn());
   for (const auto& feature : *layer) {
     const std::optional<Segment3> segment = segment_of(*feature);

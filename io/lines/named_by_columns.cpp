@@ -54,10 +54,10 @@ void name_buildings(const std::vector<std::string>& names, LineSet& set) {
   for (std::size_t b = 0; b < model.buildings.size(); ++b) {
     if (!names.at(b).empty()) model.buildings[b].id = names[b];
     if (!known.insert(model.buildings[b].id).second) {
-      throw IoError(set.path,
-                    fmt::format("two buildings have the name {}; the column of names must tell "
-                                "them apart",
-                                model.buildings[b].id));
+      throw IoError(
+          set.path,
+          fmt::format("two buildings are called {}; the names of buildings must be unique",
+                      model.buildings[b].id));
     }
   }
   for (Line& line : set.lines) {
@@ -81,14 +81,15 @@ void name_by_columns(const std::string& id_column,
                      LineSet& set) {
   if (!id_column.empty()) {
     if (set.model)
-      throw IoError(set.path,
-                    "is a model, whose edges have no column of ids; its buildings may have one");
+      throw IoError(
+          set.path,
+          "is a model, whose edges have no id column; name the id column of its buildings instead");
     set_ids(texts_of(set, id_column), set);
   }
   if (building_column.empty()) return;
   const bool states_ids = set.format.starts_with("CityJSON") || set.format.starts_with("CityGML");
   if (set.model && states_ids)
-    throw IoError(set.path, "states the ids of its buildings; no column may name them");
+    throw IoError(set.path, "already has building ids; do not give a column for them");
   set_buildings(texts_of(set, building_column), set);
 }
 

@@ -47,7 +47,7 @@ std::vector<LogicalRow> logical_rows(std::string_view content) {
 }
 
 Eigen::Vector3d parse_vertex(const std::vector<std::string_view>& words, const std::string& where) {
-  if (words.size() < 4) throw IoError(where, "a vertex has three coordinates: v x y z");
+  if (words.size() < 4) throw IoError(where, "a vertex must have three coordinates: v x y z");
   const std::vector<double> x = to_doubles({words[1], words[2], words[3]}, where);
   return {x[0], x[1], x[2]};
 }
@@ -77,8 +77,8 @@ ObjFile parse_obj(const std::string& path, std::string_view content, const LineS
   for (const LogicalRow& row : logical_rows(content)) {
     const std::string where = place(path, row.number);
     if (row.text.size() > kMaxRow_bytes) {
-      throw IoError(where, fmt::format("a row of {} bytes; at most {} are read", row.text.size(),
-                                       kMaxRow_bytes));
+      throw IoError(
+          where, fmt::format("a row of {} bytes; the limit is {}", row.text.size(), kMaxRow_bytes));
     }
     const std::vector<std::string_view> words = words_of(row.text);
     if (words.empty()) continue;
@@ -105,8 +105,9 @@ std::vector<IndexList> resolved(const std::vector<Record>& records,
     IndexList& list = lists.emplace_back();
     for (const long index : record.indices) {
       if (index < 1 || index > static_cast<long>(n_vertices)) {
-        throw IoError(place(path, record.row),
-                      fmt::format("vertex index {}; the file has {} vertices", index, n_vertices));
+        throw IoError(
+            place(path, record.row),
+            fmt::format("vertex index {}, but the file has {} vertices", index, n_vertices));
       }
       list.push_back(static_cast<std::size_t>(index - 1));
     }
@@ -190,7 +191,7 @@ LineSet read_obj(const std::string& path, std::string_view content, bool vertex_
     append_vertex_pairs(path, obj.vertices, set);
   } else if (has_shifted_pairs(obj)) {
     set.format = "ELSR OBJ";
-    set.warnings.emplace_back("l records start at a wrong index: vertices are read two by two");
+    set.warnings.emplace_back("l records start at a wrong index: pairing consecutive vertices");
     append_vertex_pairs(path, obj.vertices, set);
     drop_failed_segments(set);
   } else if (!obj.lines.empty() && !lines_repeat_faces(obj)) {

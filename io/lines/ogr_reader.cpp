@@ -41,7 +41,7 @@ Driver driver_for(std::string_view extension) {
 /// Throws IoError for a Shapefile without z, which GDAL would open as lines at height 0.
 void refuse_flat_shapefile(const std::string& path) {
   const std::string bytes = beginning_of(path);
-  if (bytes.size() < 100) throw IoError(path, "is no Shapefile: shorter than its header");
+  if (bytes.size() < 100) throw IoError(path, "is not a Shapefile: shorter than its header");
   std::int32_t type = 0;
   std::memcpy(&type, bytes.data() + 32, sizeof type);
   if (type == 3 || type == 23) {
@@ -122,9 +122,9 @@ class LayersCrs {
   void take(const std::string& path, const std::string& layer, const Crs& crs) {
     if (!crs.known()) return;
     if (crs_.known() && crs.definition != crs_.definition) {
-      throw IoError(path, fmt::format("layers in different CRS: {} in {}, {} in {}; give one layer "
-                                      "a file",
-                                      layer_, describe(crs_).name, layer, describe(crs).name));
+      throw IoError(
+          path, fmt::format("layers in different CRS: {} in {}, {} in {}; use one file per layer",
+                            layer_, describe(crs_).name, layer, describe(crs).name));
     }
     crs_ = crs;
     layer_ = layer;
@@ -154,8 +154,8 @@ class OgrReader {
         GDALDataset::Open(path.c_str(), flags, drivers, is_geopackage ? stated_layers : nullptr));
     n_most_features_ = std::filesystem::file_size(path);  // each takes a byte at least
     if (!dataset_) {
-      throw IoError(
-          path, fmt::format("is no {}: {}", driver.format, quiet_.complaints("cannot be opened")));
+      throw IoError(path, fmt::format("is not a {}: {}", driver.format,
+                                      quiet_.complaints("cannot be opened")));
     }
   }
 
@@ -192,7 +192,7 @@ class OgrReader {
     }
     if (layers.empty()) refuse_no_layer();
     for (const UnreadLayer& unread : unread_) {
-      set_.warnings.push_back(fmt::format("layer {} {}; it is left out", unread.name, unread.why));
+      set_.warnings.push_back(fmt::format("layer {} {}; ignored", unread.name, unread.why));
     }
     const auto chosen = std::ranges::find(layers, chosen_name(layers), name_of);
     if (chosen == layers.end() || layers.size() == 1) return layers;
@@ -200,7 +200,7 @@ class OgrReader {
     for (OGRLayer* layer : layers)
       if (layer != *chosen) others.push_back(name_of(layer));
     set_.warnings.push_back(
-        fmt::format("layer {} is read; left out: {}", name_of(*chosen), fmt::join(others, ", ")));
+        fmt::format("reading layer {}; ignored: {}", name_of(*chosen), fmt::join(others, ", ")));
     return {*chosen};
   }
 
@@ -226,7 +226,7 @@ class OgrReader {
     if (lods.empty()) return "";
     const std::optional<std::string> chosen = chosen_lod(lods, lod_);
     if (!chosen)
-      throw IoError(path_, fmt::format("has no layer of LoD {}; there are LoD {}", lod_,
+      throw IoError(path_, fmt::format("has no layer of LoD {}; available: LoD {}", lod_,
                                        fmt::join(lods, ", ")));
     return by_lod[*chosen];
   }
@@ -278,7 +278,7 @@ class OgrReader {
   /// without end.
   void count_feature() {
     if (++number_ <= n_most_features_) return;
-    throw IoError(path_, fmt::format("gives more than {} features; its size cannot hold them",
+    throw IoError(path_, fmt::format("yields more than {} features, more than its size can hold",
                                      n_most_features_));
   }
 

@@ -102,7 +102,7 @@ PlyColumns ply_columns(const std::string& path, const PlyHeader& header) {
       columns.ends = edge_ends(element);
       if (columns.ends[0] == PlyColumns::kNone) columns.edge_list = index_list(element);
       if (columns.ends[0] == PlyColumns::kNone && columns.edge_list == PlyColumns::kNone) {
-        refuse(element, "vertex1 and vertex2, or two integers alone,");
+        refuse(element, "vertex1 and vertex2, or only two integers,");
       }
     } else if (element.name == "face") {
       columns.face_list = index_list(element);
@@ -129,7 +129,7 @@ class Body {
 
  private:
   [[noreturn]] void fail_truncated() const {
-    throw IoError(path_, "ends before the elements that its header states");
+    throw IoError(path_, "ends before the elements declared in its header");
   }
 
   double next_word() {
@@ -219,8 +219,9 @@ class PlyReader {
     for (std::size_t i = 0; i < lists.size(); ++i) {
       for (const std::size_t index : lists[i]) {
         if (index < vertices_.size()) continue;
-        throw IoError(path_, fmt::format("edge or face {} names a vertex beyond the {} vertices", i,
-                                         vertices_.size()));
+        throw IoError(path_,
+                      fmt::format("edge or face {} refers to a vertex beyond the {} vertices", i,
+                                  vertices_.size()));
       }
     }
   }

@@ -36,8 +36,8 @@ std::size_t text_bytes(const Line& line) {
 
 [[noreturn]] void throw_out_of_memory(const LineSet& set) {
   throw IoError(set.path,
-                "its lines take too much memory for a file of its size: vertices, edges or "
-                "attributes are repeated over and over; lines of objects have their own");
+                "its lines need too much memory for a file of its size: vertices, edges or "
+                "attributes are repeated over and over; store them once per line");
 }
 
 std::size_t bytes_of(const SparseRow& values) {
@@ -61,8 +61,8 @@ void take_memory(const Line& attributes,
     return;
   }
   if (n_segments > kMaxSegments) {
-    throw IoError(set.path, fmt::format("a polyline has {} segments; at most {} are read",
-                                        n_segments, kMaxSegments));
+    throw IoError(set.path, fmt::format("a polyline has {} segments; the limit is {}", n_segments,
+                                        kMaxSegments));
   }
   throw_out_of_memory(set);
 }

@@ -31,13 +31,14 @@ std::string extension_of(const std::string& path) {
 
 void refuse_by_name(const std::string& path, const std::string& extension) {
   if (extension == ".bin") {
-    throw IoError(path, "Line3D++ .bin is an archive of one machine's memory; give the .txt");
+    throw IoError(path, "Line3D++ .bin is a machine-dependent memory dump; give the .txt");
   }
   if (extension == ".npy") {
-    throw IoError(path, "LIMAP .npy is a pickle, which may run code; give alltracks.txt");
+    throw IoError(path,
+                  "LIMAP .npy is a Python pickle, which may execute code; give alltracks.txt");
   }
   if (extension == ".stl") {
-    throw IoError(path, "Line3D++ .stl holds triangles without area; give the .txt or .obj");
+    throw IoError(path, "Line3D++ .stl has triangles without area; give the .txt or .obj");
   }
 }
 
@@ -46,7 +47,7 @@ bool is_comment(std::string_view row) { return row.starts_with('#') || row.start
 /// The text formats share extensions, so the first rows tell them apart.
 LineSet read_text(const std::string& path, const std::string& content) {
   const std::vector<TextRow> rows = rows_of(std::string_view(content).substr(0, 65536));
-  if (rows.empty()) throw IoError(path, "is empty; an empty result cannot be told from a failure");
+  if (rows.empty()) throw IoError(path, "is empty, which may mean no lines or a failure");
   if (begins_as_wkt(rows[0].text)) return read_wkt(path, content);
   const std::vector<std::string_view> first = words_of(rows[0].text);
   const std::vector<std::string_view> second =
@@ -75,7 +76,7 @@ LineSet read_text_file(const std::string& path,
                 : extension == ".ply" ? read_ply(path, content)
                 : extension == ".geojson" || extension == ".json" ? read_geojson(path, content)
                                                                   : read_text(path, content);
-  if (is_recoded) set.warnings.emplace_back("is no UTF-8; its text is taken as Latin-1");
+  if (is_recoded) set.warnings.emplace_back("is not UTF-8; reading it as Latin-1");
   return set;
 }
 
@@ -84,8 +85,8 @@ LineSet read_text_file(const std::string& path,
   const FileKind kind = kind_of_path(path);
   if (!kind.by_name) refuse_other_kind(path, FileGroup::kLines);
   const std::string named = kind.what.empty() ? "" : ": " + kind.what;
-  throw IoError(path, fmt::format("extension '{}'{}; lines are read from {}", extension, named,
-                                  kKnownExtensions));
+  throw IoError(
+      path, fmt::format("extension '{}'{}; supported are {}", extension, named, kKnownExtensions));
 }
 
 LineSet read_any(const std::string& path, const ReadLinesOptions& options) {

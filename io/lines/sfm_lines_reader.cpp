@@ -27,7 +27,8 @@ std::size_t count_at(const std::vector<std::string_view>& words,
                      const std::string& where) {
   const std::optional<long> count = i < words.size() ? to_integer(words[i]) : std::nullopt;
   if (!count || *count < 0) {
-    throw IoError(where, fmt::format("word {} is no count; row is truncated or no result", i + 1));
+    throw IoError(
+        where, fmt::format("word {} is not a count; the row is truncated or not a result", i + 1));
   }
   return static_cast<std::size_t>(*count);
 }
@@ -107,7 +108,7 @@ std::vector<int> images_per_line(const std::filesystem::path& space_lines) {
   const FileKind kind = kind_of_folder(path);
   if (kind.group != FileGroup::kFolder) throw IoError(path, refusal(kind, FileGroup::kLines));
   const std::string advice = kind.advice.empty() ? "" : "; " + kind.advice;
-  throw IoError(path, fmt::format("is {}, without LIMAP's track_K.txt{}", kind.what, advice));
+  throw IoError(path, fmt::format("is {}, without the track_K.txt of LIMAP{}", kind.what, advice));
 }
 
 }  // namespace
@@ -132,8 +133,8 @@ LineSet read_line3dpp(const std::string& path, std::string_view content) {
   }
   if (exceeds_six_digits(set)) {
     set.warnings.emplace_back(
-        "coordinates of 1e5 and more with six digits have lost the decimetres; shift to a local "
-        "origin before Line3D++ is run");
+        "coordinates of 1e5 and more with six digits have lost their decimetres; shift to a local "
+        "origin before running Line3D++");
   }
   return set;
 }
@@ -155,7 +156,7 @@ LineSet read_limap_tracks(const std::string& path, std::string_view content) {
   }
   if (!rows.at_end()) {
     rows.words("the end");
-    throw IoError(rows.where(), fmt::format("goes on after the {} tracks stated", n_tracks));
+    throw IoError(rows.where(), fmt::format("continues after the {} declared tracks", n_tracks));
   }
   return set;
 }
@@ -178,7 +179,8 @@ LineSet read_limap_track(const std::string& path, std::string_view content) {
 
 LineSet read_limap_folder(const std::string& path) {
   if (std::filesystem::exists(std::filesystem::path(path) / "structures")) {
-    throw IoError(path, "is a result of LIMAP 2.0, whose layout is unknown; give alltracks.txt");
+    throw IoError(path,
+                  "is a result of LIMAP 2.0, whose layout is not supported; give alltracks.txt");
   }
   std::vector<std::pair<long, std::string>> tracks;
   for (const auto& entry : std::filesystem::directory_iterator(path)) {

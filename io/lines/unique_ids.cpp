@@ -32,8 +32,8 @@ void name_by_layer(LineSet& set) {
     line.id = prefix + line.id;
     if (!line.parent_id.empty()) line.parent_id = prefix + line.parent_id;
   }
-  set.warnings.push_back(fmt::format("layers have the same ids, so lines are named by layer: {}",
-                                     set.lines.front().id));
+  set.warnings.push_back(fmt::format(
+      "ids repeat across layers; they are prefixed with the layer: {}", set.lines.front().id));
 }
 
 bool is_numbered_part(const Line& line) {
@@ -69,7 +69,7 @@ void number_repeated(LineSet& set) {
     if (shown.size() < kMaxShownIds) shown.push_back(line->id);
   }
   set.warnings.push_back(fmt::format(
-      "{} lines have an id that an earlier line has and are numbered: {}{}", repeated.size(),
+      "{} lines repeat the id of an earlier line and get a number: {}{}", repeated.size(),
       fmt::join(shown, ", "), repeated.size() > kMaxShownIds ? ", ..." : ""));
 }
 

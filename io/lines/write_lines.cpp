@@ -91,8 +91,8 @@ void require_writable(LineFormat format) {
   if (format != LineFormat::kDxf || CPLFindFile("gdal", "header.dxf") != nullptr) return;
   const char* const folder = CPLGetConfigOption("GDAL_DATA", "");
   throw std::invalid_argument(
-      fmt::format("format dxf: GDAL finds no header.dxf, which DXF files begin with; GDAL_DATA is "
-                  "\"{}\", unset it or name the folder of header.dxf (package gdal-data)",
+      fmt::format("format dxf: GDAL cannot find header.dxf, which it needs to write DXF; GDAL_DATA "
+                  "is \"{}\", unset it or set it to the folder of header.dxf (package gdal-data)",
                   folder));
 }
 
@@ -121,7 +121,8 @@ std::unique_ptr<LineWriter> line_writer(const std::string& path,
                                         const Crs& crs,
                                         LineFormat format) {
   if (format == LineFormat::kGeoJson) return geojson_writer(path, crs);
-  if (!is_ogr(format)) throw std::invalid_argument("lines of this format are written at once");
+  if (!is_ogr(format))
+    throw std::invalid_argument("lines of this format must be written all at once");
   return ogr_writer(path, crs, format);
 }
 

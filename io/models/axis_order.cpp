@@ -92,15 +92,16 @@ void settle_axis_order(bool keeps_axis_order, BuildingModel& model) {
   if (fits_swapped && !fits_as_is) {
     swap_plan(model);
     model.warnings.push_back(fmt::format(
-        "coordinates are read as north, east: only so do they lie where {} is used", facts.name));
+        "coordinates are read as north, east: only then they lie in the area of use of {}",
+        facts.name));
   } else if (facts.is_geographic && keeps_axis_order) {
     swap_plan(model);
     model.warnings.push_back(
-        fmt::format("coordinates are read as north, east, which is the order of {}", facts.name));
+        fmt::format("coordinates are read as north, east, the axis order of {}", facts.name));
   } else {
     model.warnings.push_back(
-        fmt::format("coordinates are read as east, north, though {} has the north first: their "
-                    "place does not tell",
+        fmt::format("coordinates are read as east, north, although {} has north first: both orders "
+                    "are possible",
                     facts.name));
   }
 }

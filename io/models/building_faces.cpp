@@ -15,8 +15,7 @@
 namespace ridgeline::io {
 namespace {
 
-constexpr Kind kOpenReference{"reference to a surface that is not there",
-                              "references to surfaces that are not there"};
+constexpr Kind kOpenReference{"reference to a missing surface", "references to missing surfaces"};
 
 /// The level of detail that is read of a building, as text.
 std::optional<std::string> lod_of_building(const std::vector<GeometryProperty>& properties,
@@ -160,7 +159,7 @@ void resolve(const std::vector<OpenReference>& open, BuildingModel& model) {
     const std::size_t n_vertices = num_vertices(face);
     // a face is shared by two buildings, so copies have fewer vertices than the file
     if (n_vertices > n_vertices_left) {
-      throw IoError(model.path, "its buildings name the faces of others over and over");
+      throw IoError(model.path, "its buildings refer to the faces of others over and over");
     }
     n_vertices_left -= n_vertices;
     face.building = reference.building;

@@ -23,7 +23,7 @@ namespace {
 using citygml::Property;
 
 constexpr Kind kImplicitGeometry{"implicit geometry", "implicit geometries"};
-constexpr Kind kCurveOfBuilding{"curve of a building", "curves of buildings"};
+constexpr Kind kCurveOfBuilding{"building curve", "building curves"};
 constexpr Kind kAddressPoint{"address point", "address points"};
 
 /// What an element is to the reader. The role of an element follows from its name and the role of
@@ -83,13 +83,13 @@ class CityGmlReader {
 
   BuildingModel read() {
     stream_.read();
-    if (model_.format.empty()) throw IoError(model_.path, "holds no objects of CityGML");
+    if (model_.format.empty()) throw IoError(model_.path, "has no CityGML objects");
     resolve(open_, model_);
     settle_crs();
     settle_types(model_.attributes);
     if (!options_.lod.empty() && model_.faces.empty() && !model_.buildings.empty()) {
       model_.warnings.push_back(fmt::format(
-          "no building has faces of LoD {}; levels of CityGML are whole: 1, 2, 3", options_.lod));
+          "no building has faces of LoD {}; CityGML has the levels 1, 2 and 3", options_.lod));
     }
     return std::move(model_);
   }
@@ -163,7 +163,7 @@ class CityGmlReader {
     const std::string_view version = citygml::version_of(name.space);
     const bool is_answer = name.local == "FeatureCollection";  // of a WFS
     if (!is_answer && (name.local != "CityModel" || version.empty())) {
-      throw IoError(stream_.place(), fmt::format("is no CityGML: its root is <{}> of \"{}\"",
+      throw IoError(stream_.place(), fmt::format("is not CityGML: its root is <{}> of \"{}\"",
                                                  name.local, name.space));
     }
     note_version(version);
@@ -365,7 +365,7 @@ class CityGmlReader {
       if (!srs.crs.known()) continue;
       const CrsAgreement agreement = compare(model_.crs, srs.crs);
       if (model_.crs.known() && !agreement.compatible) {
-        throw IoError(model_.path, "states two reference systems: " + agreement.reason);
+        throw IoError(model_.path, "has two reference systems: " + agreement.reason);
       }
       const bool adds_heights = model_.crs.known() && describe(model_.crs).vertical_name.empty() &&
                                 !describe(srs.crs).vertical_name.empty();
@@ -373,8 +373,7 @@ class CityGmlReader {
       if (!model_.crs.known() || adds_heights) model_.crs = srs.crs;
     }
     if (srs_names_.empty()) {
-      model_.warnings.push_back(
-          "states no reference system (srsName): it is taken to be that of the cloud");
+      model_.warnings.push_back("has no reference system (srsName): assuming that of the cloud");
     }
     settle_axis_order(keeps_axis_order, model_);
   }

@@ -314,7 +314,7 @@ BuildingModel model_of(const json& document, const std::string& path) {
   if (!srs.warning.empty()) model.warnings.push_back(srs.warning);
   if (!version.starts_with("1.") && !version.starts_with("2."))
     model.warnings.push_back(
-        fmt::format("version \"{}\" is read as CityJSON 2.0; 1.0 to 2.0 are known", version));
+        fmt::format("version \"{}\" is read as CityJSON 2.0; supported are 1.0 to 2.0", version));
   return model;
 }
 

@@ -17,19 +17,19 @@ using nlohmann::json;
 
 json parsed(const std::string& where, std::string_view text) {
   if (!is_shallow_json(text))
-    throw IoError(where, "is no CityJSON: its arrays and objects lie too deep within each other");
+    throw IoError(where, "is not CityJSON: its arrays and objects are nested too deeply");
   try {
     return json::parse(text);
   } catch (const json::exception& error) {
     const std::string message = error.what();
-    throw IoError(where, "is no CityJSON: " + message.substr(message.find("] ") + 2));
+    throw IoError(where, "is not CityJSON: " + message.substr(message.find("] ") + 2));
   }
 }
 
 json of_type(const char* type, const std::string& where, std::string_view text) {
   json document = parsed(where, text);
   if (!document.is_object() || document.value("type", json()) != type)
-    throw IoError(where, fmt::format("is no CityJSON: \"type\" must be \"{}\"", type));
+    throw IoError(where, fmt::format("is not CityJSON: \"type\" must be \"{}\"", type));
   return document;
 }
 

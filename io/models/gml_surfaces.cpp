@@ -58,7 +58,7 @@ void NumberText::take_word(std::string_view word) {
   if (word.empty()) return;
   const std::optional<double> number = to_double(word);
   if (!number || !std::isfinite(*number)) {
-    fail_(fmt::format("'{}' is no finite number", word.substr(0, kMaxShownCharacters)));
+    fail_(fmt::format("'{}' is not a finite number", word.substr(0, kMaxShownCharacters)));
   }
   if (numbers_.size() >= kMaxNumbers) fail_("more than 1,000,000 vertices");
   numbers_.push_back(*number);
@@ -116,7 +116,7 @@ void GmlSurfaces::start(const XmlName& name, const XmlAttributes& attributes) {
 }
 
 void GmlSurfaces::begin_polygon(const Frame& frame) {
-  if (in_polygon_) fail("lies in another polygon");
+  if (in_polygon_) fail("lies inside another polygon");
   polygon_ = {{}, frame.id, {}, frame.is_reversed};
   in_polygon_ = true;
   is_flat_ = false;

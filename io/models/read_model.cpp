@@ -29,9 +29,9 @@ void require_faces(const BuildingModel& model, const ReadModelOptions& options) 
   const std::string wanted =
       options.lod.empty() ? "LoD 1 to 3" : fmt::format("LoD {}", options.lod);
   throw IoError(model.path,
-                fmt::format("holds {} building{} and no faces of them in {}{}{}",
-                            model.buildings.size(), model.buildings.size() == 1 ? "" : "s", wanted,
-                            model.left_out.empty() ? "" : "; beside them ", model.left_out.text()));
+                fmt::format("has {} building{} without faces in {}{}{}", model.buildings.size(),
+                            model.buildings.size() == 1 ? "" : "s", wanted,
+                            model.left_out.empty() ? "" : "; it also has ", model.left_out.text()));
 }
 
 }  // namespace
@@ -42,8 +42,8 @@ std::string text_of_model(const std::string& path) {
     Inflated all = inflated(text, kMaxInflated_bytes);
     if (!all.is_whole)
       throw IoError(path, all.text.size() < kMaxInflated_bytes
-                              ? "is compressed by gzip and ends before its end"
-                              : "is compressed by gzip and holds more than 4 GiB");
+                              ? "is compressed with gzip and truncated"
+                              : "is compressed with gzip and unpacks to more than 4 GiB");
     text = std::move(all.text);
   }
   text.erase(0, text.size() - without_byte_order_mark(text).size());

@@ -32,7 +32,7 @@ void make_ids_unique(std::vector<Building>& buildings, std::vector<std::string>&
   }
   if (n_renamed == 0) return;
   warnings.push_back(
-      fmt::format("{} building{} the id of an earlier one, and \"_1\", \"_2\", ... behind it",
+      fmt::format("{} building{} the id of an earlier one and \"_1\", \"_2\", ... appended to it",
                   n_renamed, n_renamed == 1 ? " has" : "s have"));
 }
 

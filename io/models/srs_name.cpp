@@ -77,7 +77,7 @@ std::vector<std::string> adv_codes(std::string_view name, std::string& warning) 
   if (const auto heights = code_in(kAdvHeights, parts[1])) {
     codes.push_back(*heights);
   } else {
-    warning = fmt::format("srsName = \"{}\": the heights are not known by their name", name);
+    warning = fmt::format("srsName = \"{}\": the height system is unknown", name);
   }
   return codes;
 }
@@ -110,8 +110,8 @@ SrsName read_srs_name(std::string_view name) {
     if (is_understood(compound)) {
       crs = compound;
     } else {
-      result.warning =
-          fmt::format("srsName = \"{}\": PROJ knows no heights EPSG:{}", shown, codes[1]);
+      result.warning = fmt::format("srsName = \"{}\": the height system EPSG:{} is unknown to PROJ",
+                                   shown, codes[1]);
     }
   }
   if (is_understood(crs)) {
@@ -120,8 +120,7 @@ SrsName read_srs_name(std::string_view name) {
   }
   require_proj_data();
   result.warning = fmt::format(
-      "srsName = \"{}\" names no reference system that PROJ knows; it is taken to be that of the "
-      "cloud",
+      "srsName = \"{}\" is not a reference system known to PROJ; assuming that of the cloud",
       shown);
   return result;
 }

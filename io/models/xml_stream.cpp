@@ -58,7 +58,7 @@ class Unpacked {
     }
     n_bytes_ += static_cast<std::uintmax_t>(n_read);
     if (n_bytes_ > most_bytes_) {
-      throw IoError(path_, "unpacks to more than 100 times its size; no model does");
+      throw IoError(path_, "unpacks to more than 100 times its size, more than any model");
     }
     return {block_.data(), static_cast<std::size_t>(n_read)};
   }
@@ -121,8 +121,7 @@ struct XmlStream::Parser {
     parser.guarded([&] {
       constexpr int kMaxDepth = 200;  // CityGML needs about 30
       if (++parser.depth > kMaxDepth) {
-        throw IoError(parser.place(),
-                      fmt::format("more than {} elements lie within each other", kMaxDepth));
+        throw IoError(parser.place(), fmt::format("more than {} elements are nested", kMaxDepth));
       }
       parser.events.start(split_name(name), XmlAttributes(attributes));
     });
@@ -143,7 +142,7 @@ struct XmlStream::Parser {
     Parser& parser = of(user);
     parser.guarded([&] {
       throw IoError(parser.place(),
-                    "has a DOCTYPE; entities are not expanded, and CityGML needs none: remove it");
+                    "has a DOCTYPE; entities are not expanded and CityGML needs none; remove it");
     });
   }
 
@@ -153,7 +152,7 @@ struct XmlStream::Parser {
         XML_Parse(expat, bytes.data(), static_cast<int>(bytes.size()), bytes.empty() ? 1 : 0);
     if (thrown) std::rethrow_exception(thrown);
     if (status == XML_STATUS_ERROR) {
-      throw IoError(place(), fmt::format("is no whole XML document: {}",
+      throw IoError(place(), fmt::format("is not a complete XML document: {}",
                                          XML_ErrorString(XML_GetErrorCode(expat))));
     }
     refuse_endless_token(bytes.size());

@@ -77,7 +77,7 @@ double focal_px(const XmlElement& photogroup, double longer_side_px) {
 InteriorOrientation photogroup_interior(const std::string& path, const XmlElement& photogroup) {
   const std::string model = photogroup.child("CameraModelType").text();
   if (!model.empty() && model != "Perspective") {
-    photogroup.fail("CameraModelType " + model + "; Perspective is read");
+    photogroup.fail("CameraModelType " + model + "; only Perspective is supported");
   }
   InteriorOrientation interior;
   interior.size_px = size_of(photogroup);
@@ -122,7 +122,7 @@ class ExchangeReader {
   [[nodiscard]] Orientation read() {
     const std::vector<XmlElement> blocks = root_.children("Block");
     if (blocks.size() != 1) {
-      throw IoError(path_, fmt::format("holds {} blocks; one is read", blocks.size()));
+      throw IoError(path_, fmt::format("has {} blocks; must have one", blocks.size()));
     }
     orientation_.format = "BlocksExchange";
     for (const XmlElement& group : blocks[0].children("Photogroups")) {
@@ -130,7 +130,7 @@ class ExchangeReader {
     }
     if (n_unposed_ > 0) {
       orientation_.warnings.push_back(
-          fmt::format("photos without a pose, which are left out: {}", n_unposed_));
+          fmt::format("photos without a pose, ignored: {}", n_unposed_));
     }
     if (n_heights_ > 0) orientation_.ground_height_m = sum_of_heights_m_ / n_heights_;
     place_on_earth(srs_of(blocks[0].child("SRSId").text()));
@@ -188,7 +188,7 @@ class ExchangeReader {
                            ? std::nullopt
                            : to_double(trimmed(std::string_view(srs).substr(comma + 1)));
       if (!lat || !lon || std::abs(*lat) > 90.0 || std::abs(*lon) > 360.0) {
-        throw IoError(path_, srs + "; ENU: is followed by latitude and longitude in degrees");
+        throw IoError(path_, srs + "; ENU: must be followed by latitude and longitude in degrees");
       }
       return convert_to_map(path_, geocentric_from_enu({*lat, *lon, 0.0}), options_.crs,
                             orientation_);

@@ -67,7 +67,7 @@ InteriorOrientation scaled_camera(const std::string& path, const YAML::Node& nod
       {"type", "im_size", "focal_len", "sensor_size", "cx", "cy", "k1", "k2", "k3", "p1", "p2"});
   const std::string type = map.text("type");
   if (type != "pinhole" && type != "brown") {
-    map.fail("type", fmt::format("camera type {}; pinhole and brown are read", type));
+    map.fail("type", fmt::format("camera type {}; supported are pinhole and brown", type));
   }
   InteriorOrientation interior;
   interior.size_px = size_of(map, "im_size");
@@ -97,15 +97,14 @@ std::vector<Camera> read_cameras(const std::string& path) {
   const YAML::Node root = parse_yaml(read_orientation_text(path), path);
   if (!root.IsMap() || root.size() == 0) {
     throw IoError(path,
-                  "is no file of cameras; a mapping from names of cameras to their keys is "
-                  "expected");
+                  "is not a camera file; a mapping from camera names to their keys is expected");
   }
   std::vector<Camera> cameras;
   for (const auto& entry : root) {
     const YAML::Node& node = entry.second;
     if (has_other_type(node)) {
       fail_yaml(path, node,
-                "camera type " + node["type"].Scalar() + "; pinhole and brown are read");
+                "camera type " + node["type"].Scalar() + "; supported are pinhole and brown");
     }
     const bool is_metric = node.IsMap() && node["focal_length_mm"];
     cameras.push_back(
@@ -125,9 +124,8 @@ double largest_radius(const InteriorOrientation& interior) {
 void require_negligible(const std::string& path, const std::string& name, double effect_px) {
   if (std::abs(effect_px) <= kLeftOut_px) return;
   throw IoError(path,
-                fmt::format("{} moves pixels by {:.3g} px, and cameras with k1, k2, k3, p1 and p2 "
-                            "are read; let the images be undistorted, or the block be adjusted "
-                            "without {}",
+                fmt::format("{} moves pixels by {:.3g} px, but only k1, k2, k3, p1 and p2 are "
+                            "supported; undistort the images or adjust the block without {}",
                             name, std::abs(effect_px), name));
 }
 

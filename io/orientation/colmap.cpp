@@ -34,8 +34,8 @@ constexpr std::array kModels{CameraModel{0, "SIMPLE_PINHOLE", 3}, CameraModel{1,
 
 [[noreturn]] void refuse_model(const std::string& where, std::string_view model) {
   throw IoError(where,
-                fmt::format("camera model {}; SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL and "
-                            "OPENCV are read, undistort the images for others",
+                fmt::format("camera model {}; supported are SIMPLE_PINHOLE, PINHOLE, "
+                            "SIMPLE_RADIAL, RADIAL and OPENCV; undistort the images for others",
                             model));
 }
 
@@ -116,7 +116,7 @@ class ColmapRows {
       any = true;
       if (c == '\n') return true;
       if (row_.size() == kMaxRow_bytes) {
-        throw IoError(place(path_, number_ + 1), "is no text; the file is damaged");
+        throw IoError(place(path_, number_ + 1), "is not text; the file is damaged");
       }
       row_ += static_cast<char>(c);
     }
@@ -132,7 +132,7 @@ class ColmapRows {
 std::uint32_t id_of(std::string_view word, const std::string& where) {
   const std::optional<long> id = to_integer(word);
   if (!id || *id < 0 || *id > 0xffffffffL) {
-    throw IoError(where, "'" + std::string(word) + "' is no id");
+    throw IoError(where, "'" + std::string(word) + "' is not an id");
   }
   return static_cast<std::uint32_t>(*id);
 }
@@ -164,8 +164,9 @@ Cameras read_cameras_text(const std::string& path) {
 ColmapImage image_of(const TextRow& row, const std::string& where, const Cameras& cameras) {
   const std::vector<std::string_view> words = words_of(row.text);
   if (words.size() < 10) {
-    throw IoError(where,
-                  "an image is ID QW QX QY QZ TX TY TZ CAMERA_ID NAME, then a row of points");
+    throw IoError(
+        where,
+        "an image must be ID QW QX QY QZ TX TY TZ CAMERA_ID NAME, followed by a row of points");
   }
   const std::vector<double> numbers = to_doubles({words.begin() + 1, words.begin() + 8}, where);
   std::array<double, 7> q_and_t{};

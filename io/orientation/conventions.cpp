@@ -112,7 +112,7 @@ double most_ray_distance_px(const Orientation& orientation) {
 Evidence ray_evidence(const std::vector<const RotationReading*>& readings,
                       const std::vector<PointObservation>& observations,
                       Orientation& orientation) {
-  Evidence evidence{"rays meet to {:.2g} px", most_ray_distance_px(orientation), 0.5, {}};
+  Evidence evidence{"rays intersect within {:.2g} px", most_ray_distance_px(orientation), 0.5, {}};
   for (const RotationReading* reading : readings) {
     turn_images(*reading, orientation);
     const auto distance_px = median_ray_distance_px(orientation, observations);
@@ -126,7 +126,7 @@ Evidence strip_evidence(const std::vector<const RotationReading*>& readings,
                         Orientation& orientation) {
   constexpr double kLooksAway_deg = 45.0;  // of a reading under which no images look down
   bool any = false;
-  Evidence evidence{"images lie along the strips to {:.1f} degrees", 5.0, 2.0, {}};
+  Evidence evidence{"images are aligned with the strips within {:.1f} degrees", 5.0, 2.0, {}};
   for (const RotationReading* reading : readings) {
     turn_images(*reading, orientation);
     const std::optional<double> angle_deg = mean_angle_to_strips_deg(orientation);
@@ -158,14 +158,12 @@ std::string evidence_text(const Evidence& evidence,
   for (const Evidence& evidence : evidences) {
     if (!evidence.values.empty()) texts.push_back(evidence_text(evidence, readings));
   }
-  const std::string tried =
-      texts.empty()
-          ? "points need images and cameras (cameras: FILE), strips three images that look down"
-          : fmt::format("{}", fmt::join(texts, "; "));
-  throw IoError(path,
-                fmt::format("does not state how its rotations are meant, and neither points in "
-                            "images nor strips tell ({}); give one of: {}",
-                            tried, fmt::join(options, " | ")));
+  const std::string tried = texts.empty() ? "tie points require images and cameras (cameras: "
+                                            "FILE), strips require three vertical images"
+                                          : fmt::format("{}", fmt::join(texts, "; "));
+  throw IoError(path, fmt::format("the rotation convention is ambiguous and could not be "
+                                  "determined from tie points or strips ({}); give one of: {}",
+                                  tried, fmt::join(options, " | ")));
 }
 
 }  // namespace
@@ -233,7 +231,7 @@ void decide_rotations(const std::string& path,
     if (!decided) continue;
     turn_images(*different[*decided], orientation);
     orientation.decisions.push_back(
-        fmt::format("The file does not state how its rotations are meant. Decided: {} ({}).",
+        fmt::format("The file does not define its rotation convention. Determined: {} ({}).",
                     different[*decided]->what, evidence_text(evidence, different)));
     return;
   }

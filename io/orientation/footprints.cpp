@@ -115,7 +115,7 @@ MapLayer overlap_layer(const std::vector<Ring>& rings, double height_m) {
   constexpr double kCells = 2500.0;
   constexpr double kMaxCellsPerRow = 500.0;  // of long strips
   MapLayer layer{.name = "overlap",
-                 .description = "number of images that see the middle of a cell",
+                 .description = "number of images that show the centre of a cell",
                  .geometry = MapGeometry::kPolygon,
                  .columns = {{"n_images", ColumnType::kInteger}},
                  .features = {},
@@ -169,10 +169,8 @@ void write_orientation_map(const std::string& path,
                            double ground_height_m) {
   Footprints all = footprints_of(orientation, ground_height_m);
   if (all.rings.empty()) {
-    throw IoError(path,
-                  fmt::format("has nothing to show: no image has a camera that looks at the ground "
-                              "at {:.1f} m",
-                              ground_height_m));
+    throw IoError(path, fmt::format("has no footprint: no camera looks at the ground at {:.1f} m",
+                                    ground_height_m));
   }
   const std::vector<MapLayer> layers{overlap_layer(all.rings, ground_height_m), all.layer,
                                      camera_layer(orientation)};

@@ -23,19 +23,19 @@ void require_on_earth(const std::string& path, const Eigen::Vector3d& x_in_geoce
   constexpr double kMaxRadius_m = 6.5e6;
   const double radius_m = x_in_geocentric_m.norm();
   if (radius_m >= kMinRadius_m && radius_m <= kMaxRadius_m) return;
-  throw IoError(path,
-                fmt::format("places the images {:.3g} km from the centre of the Earth; geocentric "
-                            "coordinates are expected",
-                            radius_m / 1000.0));
+  throw IoError(
+      path,
+      fmt::format(
+          "has images {:.3g} km from the centre of the Earth; geocentric coordinates are expected",
+          radius_m / 1000.0));
 }
 
 std::string decision_of(const GeocentricMap& map, const Eigen::Vector3d& middle) {
   const double scale = map.plan_scale(middle);
   constexpr double kExample_m = 100.0;
   return fmt::format(
-      "Poses were converted from geocentric coordinates to {}, with heights above the "
-      "ellipsoid. Its plan is {:.5f} times as long as the ground, so heights are off "
-      "by {:.3f} m for each {:.0f} m below the camera.",
+      "Poses were converted from geocentric coordinates to {}, with heights above the ellipsoid. "
+      "Its map scale is {:.5f}, so heights are off by {:.3f} m for each {:.0f} m below the camera.",
       describe(map.crs()).name, scale, std::abs(scale - 1.0) * kExample_m, kExample_m);
 }
 

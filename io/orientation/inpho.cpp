@@ -33,7 +33,7 @@ class InphoReader {
     }
     if (n_unposed_ > 0) {
       orientation_.warnings.push_back(
-          fmt::format("photos without $EXT_ORI, which are left out: {}", n_unposed_));
+          fmt::format("photos without $EXT_ORI, ignored: {}", n_unposed_));
     }
     if (n_heights_ > 0) orientation_.ground_height_m = sum_of_heights_m_ / n_heights_;
     return std::move(orientation_);
@@ -47,7 +47,7 @@ class InphoReader {
   void read_units(const InphoBlock& block) {
     const std::string unit = lower_case(block.text("$LINEAR_UNITS_OF_OBJECT"));
     if (!unit.empty() && unit != "m" && unit != "meter" && unit != "metre" && unit != "meters") {
-      fail(block.row, "$LINEAR_UNITS_OF_OBJECT : " + unit + "; metres are read");
+      fail(block.row, "$LINEAR_UNITS_OF_OBJECT : " + unit + "; must be metres");
     }
     const InphoEntry* const system = block.find("$COORDINATE_SYSTEM");
     if (system == nullptr || orientation_.crs.known()) return;
@@ -65,7 +65,7 @@ class InphoReader {
     const InphoEntry* const entry = block.find(key);
     if (entry == nullptr) fail(block.row, fmt::format("{} has no {}", block.name, key));
     if (entry->rows.size() < n_rows) {
-      fail(entry->row, fmt::format("{} is cut off; {} rows of numbers are needed", key, n_rows));
+      fail(entry->row, fmt::format("{} is truncated; {} rows of numbers are needed", key, n_rows));
     }
     Eigen::MatrixXd values(n_rows, n);
     for (std::size_t i = 0; i < n_rows; ++i) {
@@ -168,7 +168,8 @@ class InphoReader {
     const std::string reference = block.text(key);
     if (reference.empty() || reference == "CenterTopLeft") return 0.0;
     if (reference == "TopLeft" || reference == "CornerTopLeft") return 0.5;
-    fail(block.row, "$PIXEL_REFERENCE : " + reference + "; CenterTopLeft and TopLeft are read");
+    fail(block.row,
+         "$PIXEL_REFERENCE : " + reference + "; supported are CenterTopLeft and TopLeft");
   }
 
   /// The sign of the coefficients is not known from the file: whether they are added to measured or
@@ -190,14 +191,15 @@ class InphoReader {
       }
     }
     if (effect_px <= kLeftOut_px) return;
-    fail(entry->row, fmt::format("{} moves pixels by up to {:.3g} px, and whether it is added to "
-                                 "measured or to ideal coordinates is not stated; give undistorted "
-                                 "images and a camera without it",
-                                 key.substr(key.find('$')), effect_px));
+    fail(entry->row,
+         fmt::format(
+             "{} moves pixels by up to {:.3g} px, but the file does not define whether it applies "
+             "to measured or ideal coordinates; give undistorted images and a camera without it",
+             key.substr(key.find('$')), effect_px));
   }
 
   void require_closed(const InphoBlock& block) const {
-    if (!block.is_closed) fail(block.row, block.name + " has no $END; the file is cut off");
+    if (!block.is_closed) fail(block.row, block.name + " has no $END; the file is truncated");
   }
 
   void add_photo(const InphoBlock& block) {
@@ -231,7 +233,7 @@ class InphoReader {
   void add_pose(const InphoBlock& block, OrientedImage& image) const {
     const InphoEntry& entry = *block.find("$EXT_ORI");
     if (entry.rows.size() < 4)
-      fail(entry.row, "$EXT_ORI is cut off; four rows of numbers are needed");
+      fail(entry.row, "$EXT_ORI is truncated; four rows of numbers are needed");
     const std::vector<double> position =
         to_doubles(words_of(entry.rows[0].text), place(path_, entry.rows[0].number));
     if (position.size() != 4) fail(entry.rows[0].number, "focal length, X, Y and Z are needed");
@@ -240,7 +242,8 @@ class InphoReader {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::vector<double> row =
           to_doubles(words_of(entry.rows[i + 1].text), place(path_, entry.rows[i + 1].number));
-      if (row.size() != 3) fail(entry.rows[i + 1].number, "a row of the matrix has three numbers");
+      if (row.size() != 3)
+        fail(entry.rows[i + 1].number, "a row of the matrix must have three numbers");
       camera_from_world.row(static_cast<Eigen::Index>(i)) =
           Eigen::Map<const Eigen::RowVector3d>(row.data());
     }

@@ -68,7 +68,7 @@ void refuse_other_coefficients(const std::string& path,
 InteriorOrientation sensor_interior(const std::string& path, const XmlElement& sensor) {
   const XmlElement calibration = calibration_of(sensor);
   for (const std::string& type : {sensor.attribute("type"), calibration.attribute("type")}) {
-    if (!type.empty() && type != "frame") sensor.fail("type " + type + "; frame is read");
+    if (!type.empty() && type != "frame") sensor.fail("type " + type + "; only frame is supported");
   }
   const XmlElement resolution = calibration.child("resolution");
   const Eigen::Vector2d size_px(resolution.attribute_number("width"),
@@ -107,7 +107,7 @@ class ChunkReader {
     add_cameras(chunk_.child("cameras"));
     if (n_unposed_ > 0) {
       orientation_.warnings.push_back(
-          fmt::format("cameras without a pose, which are left out: {}", n_unposed_));
+          fmt::format("cameras without a pose, ignored: {}", n_unposed_));
     }
     place_on_earth();
     return std::move(orientation_);
@@ -117,7 +117,7 @@ class ChunkReader {
   [[nodiscard]] XmlElement only_chunk() const {
     const std::vector<XmlElement> chunks = document_.root("document").children("chunk");
     if (chunks.size() != 1) {
-      throw IoError(path_, fmt::format("holds {} chunks; one is read", chunks.size()));
+      throw IoError(path_, fmt::format("has {} chunks; must have one", chunks.size()));
     }
     return chunks.front();
   }

@@ -43,7 +43,7 @@ Json parse_without_points(const std::string& path) {
   try {
     return Json::parse(text, keep);
   } catch (const Json::exception& error) {
-    throw IoError(path, fmt::format("is no JSON: {}", excerpt(error.what())));
+    throw IoError(path, fmt::format("is not JSON: {}", excerpt(error.what())));
   }
 }
 
@@ -65,7 +65,7 @@ class OpensfmReader {
     }
     if (file.size() > 1) {
       orientation.warnings.push_back(
-          fmt::format("holds {} reconstructions; the one with most images is read", file.size()));
+          fmt::format("has {} reconstructions; using the one with the most images", file.size()));
     }
     place_on_earth(reconstruction, orientation);
     return orientation;
@@ -73,7 +73,7 @@ class OpensfmReader {
 
  private:
   [[nodiscard]] const Json& largest_of(const Json& file) const {
-    if (!file.is_array() || file.empty()) fail("is no list of reconstructions");
+    if (!file.is_array() || file.empty()) fail("is not a list of reconstructions");
     const Json* largest = &file[0];
     for (const Json& one : file) {
       if (member(one, "shots").size() > member(*largest, "shots").size()) largest = &one;
@@ -122,10 +122,9 @@ class OpensfmReader {
                                  : "";
     const bool has_one_focal = type == "perspective" || type == "simple_radial";
     if (!has_one_focal && type != "brown" && type != "radial") {
-      fail(
-          fmt::format("camera {} is of type '{}'; perspective, simple_radial, radial and brown are "
-                      "read",
-                      name, type));
+      fail(fmt::format(
+          "camera {} is of type '{}'; supported are perspective, simple_radial, radial and brown",
+          name, type));
     }
     InteriorOrientation interior;
     interior.size_px = size_of(camera);
@@ -165,7 +164,7 @@ class OpensfmReader {
     for (std::size_t i = 0; i < cameras.size(); ++i) {
       if (camera == cameras[i].name) image.camera = i;
     }
-    if (!image.camera) fail(fmt::format("image {} names no camera of the file", name));
+    if (!image.camera) fail(fmt::format("image {} does not name a camera of the file", name));
     const Eigen::Vector3d turn = vector(shot, "rotation");
     const double angle_rad = turn.norm();
     const Eigen::Matrix3d cam_from_world =
@@ -187,13 +186,13 @@ class OpensfmReader {
     }
     if (!reference.is_object()) {
       orientation.warnings.emplace_back(
-          "states no reference_lla; the coordinates are local and have no reference system");
+          "has no reference_lla; its coordinates are local and without a reference system");
       return;
     }
     const GeodeticPlace place{number(reference, "latitude"), number(reference, "longitude"),
                               number(reference, "altitude")};
     if (std::abs(place.lat_deg) > 90.0 || std::abs(place.lon_deg) > 360.0) {
-      fail("reference_lla must be degrees of latitude and longitude");
+      fail("reference_lla must be latitude and longitude in degrees");
     }
     convert_to_map(path_, geocentric_from_enu(place), options_.crs, orientation);
   }

@@ -28,10 +28,9 @@ bool is_comment_row(std::string_view text) {
 void refuse_other_angles(const std::string& path, const TextRow& row) {
   const std::string text = lower_case(row.text);
   if (text.find("roll") == std::string::npos || text.find("yaw") == std::string::npos) return;
-  throw IoError(
-      place(path, row.number),
-      "roll, pitch and yaw are angles of the aircraft, and how the camera is mounted is not "
-      "stated; give omega, phi and kappa");
+  throw IoError(place(path, row.number),
+                "roll, pitch and yaw are angles of the aircraft, and the mounting of the camera is "
+                "unknown; give omega, phi and kappa");
 }
 
 /// What a table says before its first row of data.
@@ -182,7 +181,7 @@ std::vector<AngleUnit> open_units(const OpkTable& table,
   if (options.angles) return {*options.angles};
   if (const std::optional<AngleUnit> unit = stated_unit(table.head().text)) {
     orientation.decisions.push_back(
-        fmt::format("Angles are in {}, as the table says.", angle_unit_name(*unit)));
+        fmt::format("Angles are in {} (stated in the table).", angle_unit_name(*unit)));
     return {*unit};
   }
   return possible_units(table.angles());
@@ -226,8 +225,7 @@ Orientation read_opk_table(const std::string& path, const OrientationOptions& op
   add_stated_cameras(path, options, table.cameras(), orientation);
   std::vector<RotationReading> readings = readings_of(table, options, orientation);
   if (readings.empty()) {
-    throw IoError(path,
-                  "has angles of more than a full turn, whatever their unit; check the columns");
+    throw IoError(path, "has angles of more than a full turn in any unit; check the columns");
   }
   decide_rotations(path, readings, options.find_observations, orientation);
   return orientation;

@@ -19,7 +19,7 @@ void require_size(const std::string& path, std::uint64_t most_bytes) {
   const std::uint64_t size = fs::file_size(path);
   if (size == 0) throw IoError(path, "is empty");
   if (size <= most_bytes) return;
-  throw IoError(path, fmt::format("has {:.0f} MiB; an orientation of at most {:.0f} MiB is read",
+  throw IoError(path, fmt::format("has {:.0f} MiB; the limit for an orientation is {:.0f} MiB",
                                   static_cast<double>(size) / kMebibyte,
                                   static_cast<double>(most_bytes) / kMebibyte));
 }
@@ -30,10 +30,10 @@ std::string read_orientation_text(const std::string& path, std::uint64_t most_by
   require_size(path, most_bytes);
   std::string text = read_input(path);
   if (const std::size_t at = text.find('\0'); at != std::string::npos) {
-    throw IoError(path,
-                  fmt::format("holds a zero byte at {} and is no text; the file is damaged or "
-                              "of another kind",
-                              at));
+    throw IoError(
+        path,
+        fmt::format("has a zero byte at {} and is not text; the file is damaged or of another kind",
+                    at));
   }
   return text;
 }

@@ -27,7 +27,7 @@ class PatBReader {
     orientation.format = "PAT-B orientation";
     for (std::size_t row = 0; row < rows_.size(); row += kRecords) {
       if (rows_.size() - row < kRecords) {
-        throw IoError(place(path_, rows_[row].number), "is cut off; an image takes three records");
+        throw IoError(place(path_, rows_[row].number), "is truncated; an image has three records");
       }
       orientation.images.push_back(image_at(row));
       matrices_.push_back(matrix_at(row));
@@ -82,13 +82,12 @@ Orientation read_pat_b(const std::string& path, const OrientationOptions& option
   std::vector<RotationReading> readings;
   if (options.matrix.value_or(MatrixDirection::kWorldFromCamera) ==
       MatrixDirection::kWorldFromCamera) {
-    readings.push_back({"the matrix turns the camera into the world", "matrix: world_from_camera",
-                        reader.matrices()});
+    readings.push_back(
+        {"the matrix is world_from_camera", "matrix: world_from_camera", reader.matrices()});
   }
   if (options.matrix.value_or(MatrixDirection::kCameraFromWorld) ==
       MatrixDirection::kCameraFromWorld) {
-    RotationReading reading{
-        "the matrix turns the world into the camera", "matrix: camera_from_world", {}};
+    RotationReading reading{"the matrix is camera_from_world", "matrix: camera_from_world", {}};
     for (const Eigen::Matrix3d& M : reader.matrices()) {
       reading.world_from_camera_axes.emplace_back(M.transpose());
     }

@@ -31,7 +31,7 @@ class Pix4dReader {
     const Eigen::Vector3d offset_m = offset();
     for (std::size_t row = first_row(); row < rows_.size(); row += kRowsOfImage) {
       if (rows_.size() - row < kRowsOfImage) {
-        throw IoError(place(path_, rows_[row].number), "is cut off; an image takes ten rows");
+        throw IoError(place(path_, rows_[row].number), "is truncated; an image has ten rows");
       }
       add_image(row, offset_m, orientation);
     }
@@ -131,7 +131,7 @@ class Pix4dReader {
     if (text.empty()) return Eigen::Vector3d::Zero();
     const std::vector<double> values = to_doubles(words_of(text), path_ + ", offset.xyz");
     if (values.size() != 3)
-      throw IoError(path_, "the offset.xyz beside it must hold three numbers");
+      throw IoError(path_, "the offset.xyz next to it must contain three numbers");
     return {values[0], values[1], values[2]};
   }
 

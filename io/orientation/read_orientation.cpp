@@ -42,8 +42,8 @@ OrientationFormat format_of(const std::string& path) {
   if (is_numbered_table(start)) return OrientationFormat::kOpkTable;
   refuse_other_kind(path, start, FileGroup::kOrientation);
   throw IoError(path,
-                "is no orientation that is known: a table of omega, phi and kappa, OpenSfM, Pix4D, "
-                "Inpho, PAT-B, BlocksExchange, Metashape's XML or a COLMAP folder");
+                "is not a supported orientation: a table of omega, phi and kappa, OpenSfM, Pix4D, "
+                "Inpho, PAT-B, BlocksExchange, Metashape XML or a COLMAP folder");
 }
 
 Orientation read_by_format(const std::string& path, const OrientationOptions& options) {
@@ -76,16 +76,16 @@ void check_pose(const std::string& path, const OrientedImage& image) {
                                kRotationTolerance &&
                            R.determinant() > 0.0;
   if (!is_rotation) {
-    throw IoError(path, fmt::format("the matrix of image {} is no rotation", image.name));
+    throw IoError(path, fmt::format("the matrix of image {} is not a rotation", image.name));
   }
   constexpr double kMaxCoordinate_m = 1e8;
   if (!(image.exterior.position_m.cwiseAbs().maxCoeff() <= kMaxCoordinate_m)) {
-    throw IoError(path, fmt::format("the position of image {} is nowhere on Earth", image.name));
+    throw IoError(path, fmt::format("the position of image {} is not on Earth", image.name));
   }
 }
 
 void check_images(const std::string& path, const Orientation& orientation) {
-  if (orientation.images.empty()) throw IoError(path, "holds no oriented image");
+  if (orientation.images.empty()) throw IoError(path, "has no oriented image");
   std::set<std::string> names;
   for (const OrientedImage& image : orientation.images) {
     if (image.name.empty()) throw IoError(path, "has an image without a name");
@@ -122,7 +122,7 @@ void settle_crs(const std::string& path,
     try {
       describe(orientation.crs);
     } catch (const std::invalid_argument& error) {
-      orientation.warnings.push_back(std::string("its reference system is left out: ") +
+      orientation.warnings.push_back(std::string("its reference system is ignored: ") +
                                      error.what());
       orientation.crs = {};
     }
@@ -131,14 +131,13 @@ void settle_crs(const std::string& path,
   if (!orientation.crs.known()) return;
   const CrsFacts facts = describe(orientation.crs);
   if (facts.is_geographic) {
-    throw IoError(path,
-                  fmt::format("has positions in degrees ({}); let the program that wrote it use a "
-                              "projected system",
-                              facts.name));
+    throw IoError(
+        path,
+        fmt::format("has positions in degrees ({}); export it in a projected system", facts.name));
   }
   if (!same_unit(facts.horizontal_unit_m, 1.0) || !same_unit(facts.vertical_unit_m, 1.0)) {
-    throw IoError(path, fmt::format("has positions in {}; orientations in metres are read",
-                                    facts.horizontal_unit_name));
+    throw IoError(path,
+                  fmt::format("has positions in {}; must be metres", facts.horizontal_unit_name));
   }
 }
 

@@ -20,7 +20,7 @@ void add_stated_cameras(const std::string& path,
     const auto camera = std::ranges::find(orientation.cameras, names[i], &Camera::name);
     const bool is_only_one = orientation.cameras.size() == 1;
     if (camera == orientation.cameras.end() && !is_only_one) {
-      throw IoError(path, fmt::format("image {} is of camera '{}', which {} does not have",
+      throw IoError(path, fmt::format("image {} has camera '{}', which is missing in {}",
                                       orientation.images[i].name, names[i], options.cameras));
     }
     orientation.images[i].camera =

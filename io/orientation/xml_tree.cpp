@@ -97,7 +97,7 @@ XmlDocument::XmlDocument(const std::string& path) : path_(path) {
   const QuietGdal quiet;
   tree_ = CPLParseXMLString(text.c_str());
   if (tree_ == nullptr)
-    throw IoError(path, "is no XML: " + quiet.complaints("it cannot be parsed"));
+    throw IoError(path, "is not XML: " + quiet.complaints("it cannot be parsed"));
 }
 
 XmlDocument::~XmlDocument() { CPLDestroyXMLNode(tree_); }

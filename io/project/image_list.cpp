@@ -25,8 +25,7 @@ std::vector<std::string> images_in(const std::string& folder) {
     if (entry.is_regular_file() && is_named_as_image(entry.path()))
       files.push_back(entry.path().string());
   }
-  if (files.empty())
-    throw IoError(folder, "holds no image (.tif, .tiff, .jp2, .jpg, .jpeg or .png)");
+  if (files.empty()) throw IoError(folder, "has no image (.tif, .tiff, .jp2, .jpg, .jpeg or .png)");
   std::ranges::sort(files);
   return files;
 }

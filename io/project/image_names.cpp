@@ -68,7 +68,7 @@ std::optional<std::size_t> ImageNames::find(const std::string& name) const {
   if (found.empty()) return std::nullopt;
   if (found.size() == 1) return found.front();
   throw std::invalid_argument(
-      fmt::format("has {} images that {} may mean, among them {} and {}; state one by the key name",
+      fmt::format("has {} images that could be {}, such as {} and {}; select one with the key name",
                   found.size(), name, names_[found[0]], names_[found[1]]));
 }
 
@@ -86,7 +86,7 @@ std::optional<std::size_t> ImageNames::find_file(const std::string& path) const 
 
 std::size_t ImageNames::at(const std::string& name) const {
   if (const auto found = find(name)) return *found;
-  throw std::invalid_argument(fmt::format("has no image {}; the nearest names are {}", name,
+  throw std::invalid_argument(fmt::format("has no image {}; similar names: {}", name,
                                           fmt::join(nearest_names(names_, name), ", ")));
 }
 

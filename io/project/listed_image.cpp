@@ -22,7 +22,7 @@ Eigen::Vector2i size_px_of(const YamlMap& interior) {
 
 InteriorOrientation interior_in_mm(const YamlMap& map) {
   if (map.has("principal_point_px")) {
-    map.fail("principal_point_px", "principal_point_px needs focal_length_px");
+    map.fail("principal_point_px", "principal_point_px requires focal_length_px");
   }
   const std::vector<double> point =
       map.has("principal_point_mm") ? map.numbers("principal_point_mm", 2) : std::vector{0., 0.};
@@ -32,7 +32,7 @@ InteriorOrientation interior_in_mm(const YamlMap& map) {
 
 InteriorOrientation interior_in_pixels(const YamlMap& map) {
   for (const char* key : {"focal_length_mm", "pixel_size_um", "principal_point_mm"}) {
-    if (map.has(key)) map.fail(key, fmt::format("{} stands beside no focal_length_px", key));
+    if (map.has(key)) map.fail(key, fmt::format("{} cannot be combined with focal_length_px", key));
   }
   const std::vector<double> focal_length = map.numbers("focal_length_px", 2);
   const std::vector<double> point = map.numbers("principal_point_px", 2);
@@ -79,7 +79,7 @@ PatchImage ListedImage::read(const PatchOrientation* orientation) const {
 PatchImage ListedImage::with_camera(const PatchOrientation* orientation) const {
   if (orientation != nullptr && takes_orientation()) return oriented(*orientation);
   if (map_.has("name")) {
-    map_.fail("name", "name needs an orientation, and an image without a camera of its own");
+    map_.fail("name", "name requires an orientation and an image without its own camera");
   }
   PatchImage image;
   image.id = map_.text("id");
@@ -87,7 +87,7 @@ PatchImage ListedImage::with_camera(const PatchOrientation* orientation) const {
   if (map_.has("projection_matrix")) {
     if (map_.has("interior") || map_.has("exterior") || !corner_px().isZero()) {
       map_.fail("projection_matrix",
-                "projection_matrix stands alone: without interior, exterior and the corner of a "
+                "projection_matrix cannot be combined with interior, exterior or the corner of a "
                 "cut-out in window_px");
     }
     image.image_from_world = matrix();
@@ -95,8 +95,8 @@ PatchImage ListedImage::with_camera(const PatchOrientation* orientation) const {
   }
   if (!map_.has("interior") || !map_.has("exterior")) {
     map_.fail("interior",
-              "projection_matrix is missing, or in its place interior and exterior, or the "
-              "orientation of the patch");
+              "no camera: give projection_matrix, or interior and exterior, or an orientation for "
+              "the patch");
   }
   image.interior = interior();
   image.exterior = exterior();
@@ -149,7 +149,7 @@ void ListedImage::set_radiometry(PatchImage& image) const {
   if (!map_.has("radiometry")) return;
   const YAML::Node ranges = map_.node("radiometry");
   if (!ranges.IsSequence() || ranges.size() == 0) {
-    map_.fail("radiometry", "radiometry must be a list of [low, high], one for each band");
+    map_.fail("radiometry", "radiometry must be a list of [low, high] per band");
   }
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     const std::vector<double> range = yaml_numbers(path_, ranges[i], "a range of radiometry", 2);
@@ -173,8 +173,9 @@ ProjectionMatrix ListedImage::matrix() const {
     P.row(row) = Eigen::Map<const Eigen::RowVector4d>(numbers.data());
   }
   if (!is_central_camera(P)) {
-    map_.fail("projection_matrix",
-              "projection_matrix: its left 3x3 part has rank < 3; a central camera has rank 3");
+    map_.fail(
+        "projection_matrix",
+        "projection_matrix: its left 3x3 part has rank < 3; must have rank 3 (a central camera)");
   }
   return P;
 }

@@ -22,8 +22,8 @@ class UniquePairs {
     const auto [it, is_new] = seen_.try_emplace({match.base, match.other}, row);
     if (is_new) return;
     throw IoError(table.place_of(row),
-                  fmt::format("the match {}, {} occurs twice; first in {}", match.base, match.other,
-                              table.place_of(it->second)));
+                  fmt::format("the match {}, {} appears twice; first in {}", match.base,
+                              match.other, table.place_of(it->second)));
   }
 
  private:

@@ -14,9 +14,10 @@ std::vector<Eigen::Vector2d> corners_of_bounds(const YamlMap& patch) {
   const Eigen::Vector2d low(bounds[0], bounds[1]);
   const Eigen::Vector2d high(bounds[2], bounds[3]);
   if (!(low.x() < high.x() && low.y() < high.y())) {
-    patch.fail("area", fmt::format("area = [{}, {}, {}, {}]; must be [x_min, y_min, x_max, y_max] "
-                                   "with the smaller value first",
-                                   low.x(), low.y(), high.x(), high.y()));
+    patch.fail(
+        "area",
+        fmt::format("area = [{}, {}, {}, {}]; must be [x_min, y_min, x_max, y_max] with min <= max",
+                    low.x(), low.y(), high.x(), high.y()));
   }
   return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
 }

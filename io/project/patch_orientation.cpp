@@ -120,7 +120,7 @@ PatchImage PatchOrientation::with_camera(std::size_t number,
   const OrientedImage& image = orientation_.images[number];
   if (!image.camera) {
     throw std::invalid_argument(fmt::format(
-        "does not state the camera of image {}; name a file of cameras by the key cameras",
+        "does not define the camera of image {}; name a camera file with the key cameras",
         image.name));
   }
   return oriented_patch_image(orientation_, image, path, window_px);
@@ -140,7 +140,7 @@ OrientedFiles PatchOrientation::images_of(const std::vector<std::string>& files)
       std::string& other = file_of_image[*number];
       if (!other.empty()) {
         throw std::invalid_argument(
-            fmt::format("has one image, {}, for both {} and {}; narrow the pattern",
+            fmt::format("has only one image, {}, for both {} and {}; narrow the pattern",
                         orientation_.images[*number].name, other, file));
       }
       other = file;

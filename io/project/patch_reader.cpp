@@ -93,16 +93,17 @@ class PatchReader {
   [[nodiscard]] BlockFile read_block(const FindPatchPoints& find) {
     BlockFile block;
     if (map_.has("segments")) {
-      map_.fail("segments", "segments are of the images of a patch; a block extracts its own");
+      map_.fail("segments", "segments are only for patches; a block extracts its own");
     }
     block.patch = read(find);
     if (map_.has("patch_size_m")) block.patch_size_m = length_m("patch_size_m", 20.0, 10000.0);
     if (map_.has("overlap_m")) block.overlap_m = length_m("overlap_m", 1.0, 1000.0);
     if (block.overlap_m > 0.5 * block.patch_size_m) {
-      map_.fail(map_.has("overlap_m") ? "overlap_m" : "patch_size_m",
-                fmt::format("overlap_m = {}, patch_size_m = {}; a patch overlaps its neighbours by "
-                            "at most half its size",
-                            block.overlap_m, block.patch_size_m));
+      map_.fail(
+          map_.has("overlap_m") ? "overlap_m" : "patch_size_m",
+          fmt::format(
+              "overlap_m = {}, patch_size_m = {}; the overlap must be at most half the patch size",
+              block.overlap_m, block.patch_size_m));
     }
     return block;
   }
@@ -131,11 +132,11 @@ class PatchReader {
   void read_orientation(const FindPatchPoints& find, PatchFile& patch) {
     if (!map_.has("orientation")) {
       for (const char* key : {"cameras", "angles", "rotation", "matrix"}) {
-        if (map_.has(key)) map_.fail(key, fmt::format("{} needs orientation", key));
+        if (map_.has(key)) map_.fail(key, fmt::format("{} requires orientation", key));
       }
       return;
     }
-    if (map_.has("colmap")) map_.fail("orientation", "orientation needs images, not colmap");
+    if (map_.has("colmap")) map_.fail("orientation", "orientation requires images, not colmap");
     orientation_.emplace(map_, folder_, patch.crs, images_to_orient(), find);
     if (!patch.crs.known()) patch.crs = orientation_->crs();
     patch.orientation_files = orientation_->files();
@@ -165,8 +166,7 @@ class PatchReader {
     if (!node.IsScalar()) {
       patch.height_range_m = height_range();
       if (patch.surface_model) {
-        map_.fail("surface_model",
-                  "surface_model serves height_range: auto; the heights are stated");
+        map_.fail("surface_model", "surface_model is only used with height_range: auto");
       }
       return;
     }
@@ -175,9 +175,7 @@ class PatchReader {
                                             map_.text("height_range")));
     }
     if (!patch.surface_model && patch.lidar.empty()) {
-      map_.fail("height_range",
-                "height_range: auto takes the heights from lidar or surface_model; "
-                "the patch has neither");
+      map_.fail("height_range", "height_range: auto requires lidar or surface_model");
     }
     patch.heights = patch.surface_model ? HeightSource::kSurfaceModel : HeightSource::kLidar;
   }
@@ -185,10 +183,10 @@ class PatchReader {
   [[nodiscard]] std::array<double, 2> height_range() const {
     const std::vector<double> range = map_.numbers("height_range", 2);
     if (range[0] >= range[1]) {
-      map_.fail("height_range",
-                fmt::format("height_range = [{}, {}]; the lowest height comes first and must be "
-                            "below the highest",
-                            range[0], range[1]));
+      map_.fail(
+          "height_range",
+          fmt::format("height_range = [{}, {}]; must be [lowest, highest] with lowest < highest",
+                      range[0], range[1]));
     }
     return {range[0], range[1]};
   }
@@ -199,7 +197,7 @@ class PatchReader {
       patch.area_file = resolved(map_.text("area"));
     if (!map_.has("max_views")) return;
     if (patch.area_m.empty() && !is_block()) {
-      map_.fail("max_views", "max_views needs area: the images that show it best are taken");
+      map_.fail("max_views", "max_views requires area, whose best images it selects");
     }
     const double most = map_.number("max_views");
     constexpr double kMaxViews = 100.0;
@@ -212,28 +210,28 @@ class PatchReader {
 
   void read_images(PatchFile& patch) const {
     if (map_.has("images") == map_.has("colmap")) {
-      map_.fail("images", "one of the keys images and colmap is needed, and not both");
+      map_.fail("images", "exactly one of the keys images and colmap is required");
     }
     if (is_block() && map_.has("images") && !names_files(map_)) {
-      map_.fail("images", "the images of a block are a folder or patterns of files");
+      map_.fail("images", "the images of a block must be a folder or file patterns");
     }
     patch.chooses_images =
         is_block() || (!patch.area_m.empty() && (map_.has("colmap") || names_files(map_)));
     if (map_.has("max_views") && !patch.chooses_images) {
       map_.fail("max_views",
-                "max_views needs images by a folder or pattern, or colmap; images that "
-                "are listed one by one are all used");
+                "max_views requires images given by folder or pattern, or colmap; images listed "
+                "one by one are all used");
     }
     if (patch.chooses_images && map_.has("reference_matches")) {
       map_.fail("reference_matches",
-                "reference_matches is of the first two images, which the area "
-                "decides; state reference_tracks, or list the images");
+                "reference_matches refers to the first two images, which depend on the area; use "
+                "reference_tracks, or list the images");
     }
     if (map_.has("colmap")) {
       patch.images = colmap_images();
       return;
     }
-    if (map_.has("colmap_images")) map_.fail("colmap_images", "colmap_images needs colmap");
+    if (map_.has("colmap_images")) map_.fail("colmap_images", "colmap_images requires colmap");
     if (names_files(map_)) return read_image_files(patch);
     for (const ListedImage& image : listed_images())
       patch.images.push_back(image.read(orientation_ ? &*orientation_ : nullptr));
@@ -241,14 +239,15 @@ class PatchReader {
 
   /// The files of a folder or pattern, without those that the orientation does not know.
   void read_image_files(PatchFile& patch) const {
-    if (!orientation_) map_.fail("images", "images by a folder or pattern need an orientation");
+    if (!orientation_)
+      map_.fail("images", "images given by folder or pattern require an orientation");
     try {
       OrientedFiles files = orientation_->images_of(image_files(map_, folder_));
       patch.images = std::move(files.images);
       patch.without_file = std::move(files.without_file);
       if (files.unknown.empty()) return;
       patch.warnings.push_back(fmt::format(
-          "{}: {} of {} files of images are not in the orientation and not used, the first is {}",
+          "{}: {} of {} image files are not in the orientation and are ignored; the first is {}",
           path_, files.unknown.size(), files.unknown.size() + patch.images.size(),
           files.unknown.front()));
     } catch (const std::invalid_argument& error) {
@@ -286,7 +285,7 @@ class PatchReader {
     const char* key = map_.has("images") ? "images" : "colmap";
     const std::vector<PatchImage>& images = patch.images;
     if (images.size() < 2) {
-      map_.fail(key, fmt::format("{} images; at least two are needed", images.size()));
+      map_.fail(key, fmt::format("{} images; at least two are required", images.size()));
     }
     if (patch.chooses_images) return;
     const std::vector<Eigen::Vector3d> centres =
@@ -299,10 +298,11 @@ class PatchReader {
           map_.fail(key, fmt::format("two images have the id {}", images[i].id));
         }
         if (in_one_place(centres[i], centres[j])) {
-          map_.fail(key,
-                    fmt::format("the cameras of {} and {} are in one place; a stereo pair needs "
-                                "a base",
-                                images[j].id, images[i].id));
+          map_.fail(
+              key,
+              fmt::format(
+                  "the cameras of {} and {} have the same position; a stereo pair needs a base",
+                  images[j].id, images[i].id));
         }
       }
     }
@@ -312,7 +312,7 @@ class PatchReader {
   void read_segments(PatchFile& patch) const {
     if (map_.has("segment_sigma_px")) {
       if (!map_.has("segments")) {
-        map_.fail("segment_sigma_px", "segment_sigma_px needs segments");
+        map_.fail("segment_sigma_px", "segment_sigma_px requires segments");
       }
       patch.segment_sigma_px = map_.number("segment_sigma_px");
       if (!(patch.segment_sigma_px > 0.0)) {

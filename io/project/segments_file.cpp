@@ -97,7 +97,7 @@ std::string row_of(std::size_t id, const EdgeSegment& segment) {
 }
 
 void check_segment(const EdgeSegment& segment, const std::string& where) {
-  if (!(length(segment.line.segment) > 0.0)) throw IoError(where, "start and end are one");
+  if (!(length(segment.line.segment) > 0.0)) throw IoError(where, "start and end are identical");
   const auto positive = [&](std::string_view name, double sigma) {
     if (sigma > 0.0) return;
     throw IoError(where, fmt::format("{} = {}, must be positive", name, sigma));
@@ -116,7 +116,7 @@ void check_segment(const EdgeSegment& segment, const std::string& where) {
 void check_id(const CsvTable& table, std::size_t row) {
   const double id = table.number(row, table.column("id"));
   if (id == static_cast<double>(row)) return;
-  throw IoError(table.place_of(row), fmt::format("id = {}, must be {}: ids count from 0", id, row));
+  throw IoError(table.place_of(row), fmt::format("id = {}, must be {}: ids start at 0", id, row));
 }
 
 EdgeSegment segment_of(const CsvTable& table, std::size_t row) {

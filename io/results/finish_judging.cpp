@@ -59,13 +59,13 @@ std::string unit_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBo
   for (const MisreadUnit& unit : kUnits) {
     if (!overlaps(unit.m)) continue;
     return fmt::format(
-        "; times {} the lines would lie in the cloud: are they in {}, and the cloud in "
-        "metres? State the reference system of both",
+        "; scaled by {} the lines would lie in the cloud: are they in {} and the cloud in metres? "
+        "Define the reference system of both",
         unit.factor, unit.name);
   }
   if (overlaps(1.0 / 0.3048)) {
-    return "; times 3.2808 the lines would lie in the cloud: are they in metres, and the cloud's "
-           "coordinates feet? State the reference system of both";
+    return "; scaled by 3.2808 the lines would lie in the cloud: are they in metres and the cloud "
+           "in feet? Define the reference system of both";
   }
   return "";
 }
@@ -91,8 +91,9 @@ std::string axis_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBo
   const auto right =
       std::ranges::find_if(all, [&](const Axes& axes) { return overlaps(axes.plan); });
   if (right == all.end()) return "";
-  return fmt::format("; with {} the lines would lie in the cloud: another order or sense of axes?",
-                     right->change);
+  return fmt::format(
+      "; with {} the lines would lie in the cloud: are their axes in another order or direction?",
+      right->change);
 }
 
 /// A clause on a shift that all lines have; "" if there is none.
@@ -130,14 +131,15 @@ void refuse_foreign_frame(const Evaluation& evaluation,
   }
   const Eigen::AlignedBox3d lines_box = bounds_m_of(set);
   throw io::IoError(
-      set.path, fmt::format("lines and cloud are not in the same frame: {}; lines {}; cloud {}{}{}",
-                            check.reason + shift_hint(evaluation.shift),
-                            bounds_text(set.crs, lines_box, unit_m_of(set)),
-                            bounds_text(cloud.crs(), cloud_box, cloud.unit_m()),
-                            unit_hint(lines_box, cloud_box) + axis_hint(lines_box, cloud_box),
-                            set.stated_unit.empty()
-                                ? ""
-                                : fmt::format("; the lines' file states {}", set.stated_unit)));
+      set.path,
+      fmt::format("lines and cloud are not in the same frame: {}; lines {}; cloud {}{}{}",
+                  check.reason + shift_hint(evaluation.shift),
+                  bounds_text(set.crs, lines_box, unit_m_of(set)),
+                  bounds_text(cloud.crs(), cloud_box, cloud.unit_m()),
+                  unit_hint(lines_box, cloud_box) + axis_hint(lines_box, cloud_box),
+                  set.stated_unit.empty()
+                      ? ""
+                      : fmt::format("; the unit of the line file is {}", set.stated_unit)));
 }
 
 nlohmann::ordered_json cloud_facts(const CloudReadings& readings, const io::CloudFiles& files) {
@@ -163,16 +165,16 @@ nlohmann::ordered_json cloud_facts(const CloudReadings& readings, const io::Clou
 
 void refuse_empty(const io::PointCloud& cloud, const std::string& path) {
   if (cloud.n_read == 0) {
-    throw io::IoError(path, "holds no points; nothing to judge lines by");
+    throw io::IoError(path, "has no points to judge lines against");
   }
   const std::uint64_t filtered = cloud.n_dropped_class + cloud.n_dropped_withheld +
                                  cloud.n_dropped_return + cloud.n_dropped_non_finite;
   if (filtered < cloud.n_read) return;
-  throw io::IoError(path,
-                    fmt::format("no point of {} is left: {} dropped by class, {} withheld, {} not "
-                                "last returns, {} not finite; ask `ridgeline info` for its classes",
-                                cloud.n_read, cloud.n_dropped_class, cloud.n_dropped_withheld,
-                                cloud.n_dropped_return, cloud.n_dropped_non_finite));
+  throw io::IoError(
+      path, fmt::format("none of {} points are left: {} dropped by class, {} withheld, {} not last "
+                        "returns, {} not finite; `ridgeline info` lists its classes",
+                        cloud.n_read, cloud.n_dropped_class, cloud.n_dropped_withheld,
+                        cloud.n_dropped_return, cloud.n_dropped_non_finite));
 }
 
 Evaluation evaluation_of(const io::LineSet& set,

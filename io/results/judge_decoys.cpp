@@ -58,10 +58,10 @@ void check_follows_cloud(const evaluate::Evaluation& evaluation,
   const std::string note = evaluate::following_note(evaluation);
   if (note.empty()) return;
   if (!evaluation.elsewhere->is_of_another_place()) {
-    warnings.push_back(path + ": the lines hardly follow the cloud: " + note);
+    warnings.push_back(path + ": the lines barely fit the cloud: " + note);
     return;
   }
-  const std::string problem = "the lines do not follow the cloud: " + note;
+  const std::string problem = "the lines do not fit the cloud: " + note;
   if (options.refuse_other_places) {
     throw io::IoError(
         path, problem + "; are they of another place? `decoys` 0 judges them without this check");

@@ -37,8 +37,8 @@ void check_models(const std::vector<io::LineSet>& sets, const JudgeFilesOptions&
     throw io::IoError(
         sets.front().path,
         fmt::format("`by` {}: buildings have no such attribute; {}", name,
-                    known.empty() ? "the file is no model of buildings with attributes"
-                                  : fmt::format("there are: {}", fmt::join(known, ", "))));
+                    known.empty() ? "the file is not a building model with attributes"
+                                  : fmt::format("available: {}", fmt::join(known, ", "))));
   }
 }
 

@@ -201,7 +201,7 @@ std::vector<evaluate::ReferenceLine> reference_lines_of(const io::LineSet& set,
     if (!all_finite(in_local)) continue;
     if (!evaluate::in_range(in_local)) {
       throw io::IoError(set.path, fmt::format("reference line {} has a coordinate more than 10,000 "
-                                              "km from the cloud; correct it or leave it out",
+                                              "km from the cloud; correct or remove it",
                                               line.id));
     }
     const double visible =
@@ -210,8 +210,8 @@ std::vector<evaluate::ReferenceLine> reference_lines_of(const io::LineSet& set,
   }
   if (references.empty()) {
     throw io::IoError(set.path,
-                      "holds no reference lines; give a file of 3D lines, or of polygons with "
-                      "heights, whose edges are the lines");
+                      "has no reference lines; give a file of 3D lines, or of polygons with "
+                      "heights, whose edges are used");
   }
   return references;
 }

@@ -227,10 +227,9 @@ io::MapLayer lines_layer(const io::LineSet& set,
   const std::vector<LineField> fields = fields_of(set, schema, evaluation);
   io::MapLayer layer{
       .name = "lines",
-      .description =
-          is_moved(evaluation)
-              ? "Lines, moved against their shift, with their distances from LIDAR planes"
-              : "Lines with their distances from LIDAR planes",
+      .description = is_moved(evaluation)
+                         ? "Lines, shift removed, with their distances from LIDAR planes"
+                         : "Lines with their distances from LIDAR planes",
       .geometry = io::MapGeometry::kLine,
       .columns = input_columns(set, fields),
       .features = {},
@@ -261,7 +260,7 @@ io::MapLayer lines_layer(const io::LineSet& set,
 
 io::MapLayer planes_layer(const std::vector<JudgedPlane>& planes, const ToMap& to_map) {
   io::MapLayer layer{.name = "planes",
-                     .description = "LIDAR planes that lines were judged by",
+                     .description = "LIDAR planes used for judging",
                      .geometry = io::MapGeometry::kPolygon,
                      .columns = columns_of(plane_fields()),
                      .features = {},
@@ -280,7 +279,7 @@ io::MapLayer vectors_layer(const io::LineSet& set,
                            const Eigen::Vector3d& unit_m,
                            const ToMap& to_map) {
   io::MapLayer layer{.name = "vectors",
-                     .description = "From the middle of a line to its foot on each of its planes",
+                     .description = "From the middle of a line to its foot points on its planes",
                      .geometry = io::MapGeometry::kLine,
                      .columns = columns_of(vector_fields()),
                      .features = {},
@@ -311,7 +310,7 @@ MapSchema map_schema_named(const std::string& name) {
 std::string left_out_of_map(const io::LineSet& set) {
   const std::size_t n = set.features.columns.size();
   if (n <= kMaxInputColumns) return "";
-  return fmt::format("the map has room for the first {} of its {} columns", kMaxInputColumns, n);
+  return fmt::format("the map can only hold the first {} of its {} columns", kMaxInputColumns, n);
 }
 
 void write_judged_map(const std::string& path,

@@ -141,7 +141,7 @@ io::MapLayer buildings_layer(const JudgedModel& judged,
 
 io::MapLayer faces_layer(const JudgedModel& judged, const ToMap& to_map) {
   io::MapLayer layer{.name = "faces",
-                     .description = "Roof faces with their differences from the laser points",
+                     .description = "Roof faces with their differences from the LIDAR points",
                      .geometry = io::MapGeometry::kMultiPolygon,
                      .columns = {{"building", ColumnType::kText}},
                      .features = {},

@@ -61,8 +61,9 @@ std::optional<std::string> points_message(const JudgedModel& model) {
   const std::size_t n = to_surface_m.size();
   const std::optional<double> rms_m = evaluate::rms(to_surface_m);
   std::string text = fmt::format(
-      "{} points from the nearest surface of their building: RMS {:.3f} m, 90 % within {:.3f} m", n,
-      *rms_m, *evaluate::quantile(std::move(to_surface_m), 0.9));
+      "{} points, distance from the nearest surface of their building: RMS {:.3f} m, 90 % within "
+      "{:.3f} m",
+      n, *rms_m, *evaluate::quantile(std::move(to_surface_m), 0.9));
   if (!to_roof_m.empty())
     text += fmt::format("; over the roofs {:.3f} m in height", *evaluate::rms(to_roof_m));
   return text;

@@ -90,9 +90,8 @@ void check_output_file(const std::string& file,
   const fs::path canonical = fs::weakly_canonical(file);
   for (const std::string& other : others) {
     if (other.empty() || fs::weakly_canonical(other) != canonical) continue;
-    throw io::IoError(file,
-                      "is an input, or another output, and would be overwritten; choose another "
-                      "name");
+    throw io::IoError(
+        file, "is an input or another output and would be overwritten; choose another name");
   }
   if (!overwrite && would_be_lost(file)) {
     throw io::IoError(file, "exists already; `overwrite` replaces it");
@@ -101,7 +100,7 @@ void check_output_file(const std::string& file,
 
 void check_is_png(const std::string& option, const std::string& file) {
   check(file.empty() || fs::path(file).extension() == ".png", option, " = ", file,
-        ", must end in .png: PNG is what is written");
+        ", must end in .png");
 }
 
 }  // namespace ridgeline::results

@@ -71,7 +71,7 @@ void refuse_varying_scale(const std::string& path,
                                         io::utm_zone_text(crs, middle)));
   };
   if (std::abs(middle.skew) > io::kMaxScaleError) {
-    refuse("the axes of the plan are not at right angles on the ground, so no scale makes it true");
+    refuse("the axes of the plan are not perpendicular on the ground, so no scale can correct it");
   }
   for (const double x : {kCut, 1.0 - kCut}) {
     for (const double y : {kCut, 1.0 - kCut}) {
@@ -79,7 +79,7 @@ void refuse_varying_scale(const std::string& path,
       if (!scale) continue;
       const Eigen::Array2d ratio = scale->scale.array() / middle.scale.array();
       if (((ratio - 1.0).abs() <= io::kMaxScaleError).all()) continue;
-      refuse(fmt::format("the lines cover so much that the scale of the plan differs by {:.2g} %",
+      refuse(fmt::format("the lines cover so large an area that the map scale varies by {:.2g} %",
                          100.0 * (ratio - 1.0).abs().maxCoeff()));
     }
   }
@@ -108,10 +108,10 @@ void set_plan_scale(const std::vector<io::LineSet>& sets,
   if (!scale || scale->is_true()) return;
   refuse_varying_scale(cloud.path(), crs, places, *scale);
   cloud.set_plan_scale(scale->scale);
-  warnings.push_back(fmt::format(
-      "{}: distances in the plan of \"{}\" are {}; the coordinates of cloud and lines are divided "
-      "by that, so that figures are metres on the ground",
-      cloud.path(), io::describe(crs).name, io::scale_text(*scale)));
+  warnings.push_back(
+      fmt::format("{}: the map scale of \"{}\" is {}; coordinates of cloud and lines are divided "
+                  "by it, so that figures are metres on the ground",
+                  cloud.path(), io::describe(crs).name, io::scale_text(*scale)));
 }
 
 }  // namespace ridgeline::results

@@ -21,8 +21,8 @@ std::vector<io::LineSet> read_line_files(const JudgeFilesOptions& options) {
   for (const std::string& path : options.line_paths) {
     if (!stems.insert(stem_of(path)).second) {
       throw io::IoError(path,
-                        fmt::format("a second line file named '{}'; names without extension must "
-                                    "differ, as the results are named after them",
+                        fmt::format("a second line file is called '{}'; names without extension "
+                                    "must be unique, as the results are named after them",
                                     stem_of(path)));
     }
     sets.push_back(io::read_lines(path, options.lines));

@@ -43,7 +43,7 @@ class TableOfRun {
         rank_.try_emplace({patch, row.at("method").get<std::string>()}, rank_.size());
       }
     } catch (const Json::exception& error) {
-      throw io::IoError(file_.string(), std::string("is no Table 2: ") + error.what());
+      throw io::IoError(file_.string(), std::string("is not a Table 2: ") + error.what());
     }
   }
 
@@ -70,9 +70,11 @@ class TableOfRun {
     for (const auto& [name, rank] : rank_) {
       const auto is_it = [&rank = rank](const FoundEvaluation& one) { return one.rank == rank; };
       if (std::ranges::any_of(found, is_it)) continue;
-      throw io::IoError(file_.string(), fmt::format("names method {} of patch {}, but there is no "
-                                                    "evaluation.{}.json of it; run it again",
-                                                    name.second, name.first, name.second));
+      throw io::IoError(
+          file_.string(),
+          fmt::format(
+              "lists method {} of patch {}, but evaluation.{}.json is missing; run it again",
+              name.second, name.first, name.second));
     }
   }
 
@@ -111,7 +113,7 @@ Evaluation read_evaluation(const fs::path& file) {
 
 Json read_json_object(const fs::path& file) {
   Json json = Json::parse(io::read_text_file(file.string()), nullptr, false);
-  if (!json.is_object()) throw io::IoError(file.string(), "is no JSON object");
+  if (!json.is_object()) throw io::IoError(file.string(), "is not a JSON object");
   return json;
 }
 

@@ -28,7 +28,7 @@ void read_run_record(const Json& json, const fs::path& file, evaluate::ResultFol
     if (json.contains("n_views"))
       results.n_views = json["n_views"].get<std::map<std::string, std::size_t>>();
   } catch (const Json::exception& error) {
-    throw io::IoError(file.string(), std::string("is no run's record: ") + error.what());
+    throw io::IoError(file.string(), std::string("is not a run record: ") + error.what());
   }
 }
 

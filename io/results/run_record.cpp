@@ -77,7 +77,7 @@ void RunRecord::add_input(const InputFile& file) {
 std::string RunRecord::hash_of(const std::string& path) const {
   const auto input = std::ranges::find_if(
       inputs_, [&](const auto& one) { return one["path"].template get<std::string>() == path; });
-  check(input != inputs_.end(), path, ": is no input of the run");
+  check(input != inputs_.end(), path, ": is not an input of the run");
   return (*input)["sha256"].get<std::string>();
 }
 

@@ -47,9 +47,8 @@ std::string geoid_cause(const ConstantShift& shift, const ShiftPlace& place) {
     for (const double sign : {1.0, -1.0}) {
       if (!is_explained(height, sign * height_m, accuracy_m)) continue;
       return fmt::format(
-          "geoid against ellipsoid: the geoid lies {:.2f} m {} the ellipsoid here (grid {}), so "
-          "that the "
-          "lines seem to have heights above the {} and the cloud heights above the {}",
+          "geoid and ellipsoid: the geoid is {:.2f} m {} the ellipsoid here (grid {}); the lines "
+          "seem to have heights above the {} and the cloud heights above the {}",
           std::abs(height_m), height_m < 0.0 ? "below" : "above", grid,
           sign > 0.0 ? "ellipsoid" : "geoid", sign > 0.0 ? "geoid" : "ellipsoid");
     }
@@ -94,9 +93,8 @@ std::string half_pixel_cause(const ConstantShift& shift, const ShiftPlace& place
     const Eigen::Vector2d expected_m = sign * *half_m;
     if (!is_explained(x, expected_m.x(), 0.0) || !is_explained(y, expected_m.y(), 0.0)) continue;
     return fmt::format(
-        "half a pixel: in plan it is ({:.3f}, {:.3f}) m here, as if pixel (0, 0) were the corner "
-        "of the "
-        "top-left pixel for the cameras and its centre for the images, or the other way round",
+        "half a pixel: it is ({:.3f}, {:.3f}) m in plan here, as if pixel (0, 0) were the corner "
+        "of the top-left pixel for the cameras and its centre for the images, or vice versa",
         expected_m.x(), expected_m.y());
   }
   return "";

@@ -182,7 +182,7 @@ std::string to_fix_csv(const JudgedFiles& judged, const std::vector<std::vector<
 io::MapLayer to_fix_layer(const std::vector<ToFix>& list, const ToMap& to_map) {
   io::MapLayer layer{
       .name = "to_fix",
-      .description = "What to fix first: wrong lines and buildings by how much mending them gains",
+      .description = "What to fix first: wrong lines and buildings by the gain of correcting them",
       .geometry = io::MapGeometry::kPoint,
       .columns = columns_of(fields()),
       .features = {},

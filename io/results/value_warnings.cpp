@@ -86,8 +86,8 @@ std::optional<std::string> out_of_range_text(const std::vector<LineEvaluation>& 
   const std::vector<std::string> ids = ids_of(lines, is_far_in_height);
   if (ids.empty()) return std::nullopt;
   return fmt::format(
-      "{} of {} lines lie at one height more than {:.0f} m above or below all points around them "
-      "and are not judged (out_of_range): {}; a mark for a missing height (0, -9999)?",
+      "{} of {} lines have the same height more than {:.0f} m above or below all points around "
+      "them and are not judged (out_of_range): {}; perhaps a no-data value (0, -9999)",
       ids.size(), lines.size(), evaluate::kMaxHeightOffset_m, ids_text(ids));
 }
 
@@ -97,7 +97,7 @@ std::optional<std::string> far_text(const std::vector<LineEvaluation>& lines) {
   const auto all = rms_m(lines, [](const LineEvaluation&) { return true; });
   const auto rest = rms_m(lines, [](const LineEvaluation& l) { return !is_far_from_planes(l); });
   return fmt::format(
-      "{} of {} lines lie more than {:.0f} m beside their planes and decide the RMS, {:.3f} m with "
+      "{} of {} lines are more than {:.0f} m from their planes and dominate the RMS, {:.3f} m with "
       "and {} without them: {}; are their heights missing, or in another unit or height system?",
       ids.size(), lines.size(), kMaxError_m, *all, rest ? fmt::format("{:.3f} m", *rest) : "-",
       ids_text(ids));
@@ -112,8 +112,8 @@ void add_value_warnings(const io::LineSet& set,
   const auto warn = [&](const std::string& text) { warnings.push_back(set.path + ": " + text); };
   if (const auto steps_m = harmful_steps_m(set, evaluation.lines); !steps_m.isZero()) {
     const std::string text = fmt::format(
-        "coordinates have {}: they were written with too few digits, or went through float32, and "
-        "the distances are partly of that rounding; steps must be at most {} m",
+        "coordinates have {}: they were written with too few digits or converted to float32, which "
+        "affects the distances; steps must be at most {} m",
         io::steps_text(steps_m), io::kMaxCoordinateStep_m);
     if (strict) throw io::IoError(set.path, text);
     warn(text);

@@ -34,7 +34,7 @@ std::size_t letters_to_change(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string_view nearest_name(std::string_view name, const std::vector<std::string_view>& known) {
-  check(!known.empty(), "known names: none; there must be one");
+  check(!known.empty(), "known names: none");
   std::string_view nearest;
   std::size_t fewest = std::numeric_limits<std::size_t>::max();
   for (const std::string_view candidate : known) {

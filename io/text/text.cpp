@@ -98,7 +98,7 @@ std::vector<double> to_doubles(const std::vector<std::string_view>& words,
   numbers.reserve(words.size());
   for (const std::string_view word : words) {
     const std::optional<double> number = to_double(word);
-    if (!number) throw IoError(where, "'" + std::string(word.substr(0, 40)) + "' is no number");
+    if (!number) throw IoError(where, "'" + std::string(word.substr(0, 40)) + "' is not a number");
     numbers.push_back(*number);
   }
   return numbers;

@@ -28,19 +28,19 @@ struct EdgeExtensionOptions {
     using O = EdgeExtensionOptions;
     return std::tuple{
         Field{"faint_edges", &O::faint_edges, false, true,
-              "look again with more smoothing, for edges too faint for the first look"},
+              "detect faint edges in a second pass with more smoothing"},
         Field{"faint_gradient_sigma_px", &O::faint_gradient_sigma_px, 0.5, 5.0,
-              "smoothing of the colour gradient in the second look"},
+              "smoothing of the colour gradient in the second pass"},
         Field{"faint_min_length_px", &O::faint_min_length_px, 3.0, 1e5,
-              "shorter segments of the second look are dropped"},
+              "minimum length of a segment of the second pass"},
         Field{"junction_cuts", &O::junction_cuts, false, true,
-              "cut an edge where another one ends on it or crosses it"},
+              "cut edges at junctions and crossings with other edges"},
         Field{"min_junction_bend_px", &O::min_junction_bend_px, 0.0, 100.0,
-              "such a cut stays where two lines fit better than one by this, root mean square"},
+              "keep such a cut if two lines reduce the RMS of one line by at least this"},
         Field{"separate_edges", &O::separate_edges, false, true,
-              "resolve two edges within about two pixels that blur into one"},
+              "separate two edges that blur into one within about two pixels"},
         Field{"soft_edges", &O::soft_edges, false, true,
-              "smooth as much as edges are wide, and look for them in reduced images"}};
+              "adapt the smoothing to the width of edges and search reduced images"}};
   }
 };
 
@@ -81,22 +81,21 @@ struct MatchExtensionOptions {
     using O = MatchExtensionOptions;
     return std::tuple{
         Field{"matched_radiometry", &O::matched_radiometry, false, true,
-              "gain and offset of the images from surfaces that both show"},
+              "estimate gain and offset of the images from common surfaces"},
         Field{"close_lines", &O::close_lines, false, true,
-              "the two edges of a narrow strip keep their order"},
+              "keep the order of the two edges of a narrow strip"},
         Field{"hidden_walls", &O::hidden_walls, false, true,
-              "compare across walls that one camera alone sees"},
+              "compare edges across walls visible to only one camera"},
         Field{"propagate_heights", &O::propagate_heights, false, true,
-              "lines left unmatched may take the height of matched lines that they meet"},
-        Field{
-            "surface", &O::surface, false, true,
-            "the depth of the surfaces beside a line, by dense matching, decides among its mates"},
+              "match remaining lines at the height of matched lines that they meet"},
+        Field{"surface", &O::surface, false, true,
+              "select among candidates by the depth of the adjacent surfaces (dense matching)"},
         Field{"guided", &O::guided, false, true,
-              "lines without a mate are looked for in the other image where these surfaces tell"},
+              "search unmatched lines in the other image where these surfaces predict them"},
         Field{"guided_min_similarity", &O::guided_min_similarity, 0.0, 1.0,
-              "if what is found there looks alike to at least this"},
+              "guided: minimum similarity"},
         Field{"propagate_min_similarity", &O::propagate_min_similarity, 0.0, 1.0,
-              "if they look alike to at least this"}};
+              "propagate_heights: minimum similarity"}};
   }
 };
 
@@ -115,14 +114,15 @@ struct ChioExtensionOptions {
     using O = ChioExtensionOptions;
     return std::tuple{
         Field{"allow_noise", &O::allow_noise, false, true,
-              "widen limits by noise and compare heights where lines meet; off: to the letter"},
+              "widen limits by noise and compare heights where lines meet; off: as published"},
         Field{"by_look", &O::by_look, false, true,
-              "candidates compete by their look; off: by their reliable pieces, to the letter"},
+              "rank candidates by appearance; off: by their reliable pieces, as published"},
         Field{"edge_sigma_px", &O::edge_sigma_px, 1e-3, 10.0,
               "allow_noise: noise of an edge pixel across its edge"},
-        Field{"min_similarity", &O::min_similarity, 0.0, 1.0, "by_look: of a match"},
+        Field{"min_similarity", &O::min_similarity, 0.0, 1.0,
+              "by_look: minimum similarity of a match"},
         Field{"max_similarity_ratio", &O::max_similarity_ratio, 0.0, 1.0,
-              "by_look: of the next candidate and the best one"}};
+              "by_look: maximum ratio of the similarities of the second-best and best candidates"}};
   }
 };
 
@@ -163,17 +163,18 @@ struct EstimateExtensionOptions {
     using O = EstimateExtensionOptions;
     return std::tuple{
         Field{"max_end_sigma_m", &O::max_end_sigma_m, 0.0, 1e6,
-              "lines less certain than this at an end are given between the right ends"},
+              "above this sigma of an end, a line uses the segment ends of the second image"},
         Field{"register_profiles", &O::register_profiles, false, true,
-              "not_aligned: move the right edge to where the profiles across it agree"},
+              "not_aligned: shift the edge in the second image to align the profiles across it"},
         Field{"shared_errors", &O::shared_errors, false, true,
-              "sigmas by how alike both images show an edge, and for what both get wrong alike"},
+              "derive sigmas from the similarity of both edges, including errors common to both "
+              "images"},
         Field{"consensus", &O::consensus, false, true,
-              "use points that agree on the depth of their line; off: as published"},
+              "use only points that agree on the depth of their line; off: as published"},
         Field{"surface", &O::surface, false, true,
-              "consensus, faces_beside: the surfaces beside the line, by dense matching"},
+              "consensus, faces_beside: use adjacent surfaces from dense matching"},
         Field{"faces_beside", &O::faces_beside, false, true,
-              "joint, network: adjust lines to the planes of roofs and ground that they border"}};
+              "joint, network: adjust lines to adjacent roof and ground planes"}};
   }
 };
 
@@ -186,11 +187,11 @@ struct BuildingOptions {
   static constexpr auto fields() {
     using O = BuildingOptions;
     return std::tuple{Field{"sigma_meeting_m", &O::sigma_meeting_m, 1e-4, 1e3,
-                            "consensus, network: distance of lines that meet"},
+                            "consensus, network: sigma of the distance of lines that meet"},
                       Field{"max_miss_m", &O::max_miss_m, 1e-3, 1e4,
-                            "network: distance of lines that only seem to meet"},
+                            "network: maximum distance of lines that only seem to meet"},
                       Field{"sigma_slope", &O::sigma_slope, 1e-6, 1.0,
-                            "consensus, network: scatter of the slope of horizontal lines"}};
+                            "consensus, network: sigma of the slope of horizontal lines"}};
   }
 };
 
@@ -208,15 +209,15 @@ struct ConsensusOptions {
     using O = ConsensusOptions;
     return std::tuple{
         Field{"sigma_end_px", &O::sigma_end_px, 1e-3, 1e3,
-              "consensus: scatter of corresponding segment ends along the line"},
+              "consensus: sigma of corresponding segment ends along the line"},
         Field{"gable_share", &O::gable_share, 0.0, 1.0,
-              "consensus: prior share of gables among what has the shape of one"},
+              "consensus: prior probability that a gable-shaped group of lines is a gable"},
         Field{"step_share", &O::step_share, 0.0, 1.0,
-              "consensus: prior share of crossings where a row of lines has a step"},
+              "consensus: prior probability of a step where a row of lines is crossed"},
         Field{"min_cut_length_px", &O::min_cut_length_px, 1.0, 1e6,
-              "consensus: shortest part of a match that is cut"},
+              "consensus: minimum length of a part of a cut match"},
         Field{"min_depth_margin", &O::min_depth_margin, 0.0, 1e3,
-              "consensus: a line is ambiguous if another depth comes closer; log of the odds"}};
+              "consensus: minimum log odds against another depth; below, the line is ambiguous"}};
   }
 };
 

@@ -22,16 +22,17 @@ struct TrackOptions {
     using O = TrackOptions;
     return std::tuple{
         Field{"all_views", &O::all_views, false, true,
-              "use all images of a patch; off: the first two alone, as the papers do"},
+              "use all images of a patch; off: only the first two, as in the papers"},
         Field{"sigma_edge_px", &O::sigma_edge_px, 0.01, 10.0,
-              "how far the edges that several views show of one line differ"},
+              "sigma of the differences between the edges of one line in several views"},
         Field{"seen_share", &O::seen_share, 0.01, 0.99,
-              "of the views that show an edge which lies in their image"},
+              "share of views in which a visible edge is detected"},
         Field{"look_odds", &O::look_odds, 1.0, 1e6,
-              "of a match by its look; 1: geometry alone decides"},
-        Field{"min_log_odds", &O::min_log_odds, -100.0, 100.0, "of a track against chance"},
+              "odds of a match by appearance; 1: only geometry decides"},
+        Field{"min_log_odds", &O::min_log_odds, -100.0, 100.0,
+              "minimum log odds of a track against chance"},
         Field{"min_margin", &O::min_margin, 0.0, 100.0,
-              "log of the odds of a track's depth against all other depths"}};
+              "minimum log odds of the depth of a track against all other depths"}};
   }
 };
 

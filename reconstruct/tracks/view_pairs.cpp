@@ -75,7 +75,7 @@ std::vector<ViewPair> choose_pairs(const Scene& scene) {
   const std::size_t n = scene.views.size();
   if (n == 2) return {{0, 1}};
   check(cost_of(scene, {0, 1}).has_value(), "views ", scene.views[0].id, " and ", scene.views[1].id,
-        ": the first two must show the same place");
+        ": the first two views must overlap");
   std::vector<ViewPair> pairs{{0, 1}};
   std::vector<bool> is_connected(n, false);
   is_connected[0] = is_connected[1] = true;

@@ -28,16 +28,17 @@ struct CandidateOptions {
     using O = CandidateOptions;
     return std::tuple{
         Field{"min_epipolar_angle_deg", &O::min_epipolar_angle_deg, 0.1, 45.0,
-              "below this angle to the epipolar line the look decides what corresponds"},
+              "below this angle to the epipolar line, appearance decides on correspondence"},
         Field{"max_turn_deg", &O::max_turn_deg, 0.0, 90.0,
-              "largest difference of direction of two matched segments"},
+              "maximum difference in direction of two matched segments"},
         Field{"max_slope_deg", &O::max_slope_deg, 0.0, 89.9,
-              "largest slope of a line in object space; 89.9 for edges of walls too"},
+              "maximum slope of a line in object space; 89.9 includes vertical edges of walls"},
         Field{"epipolar_tolerance_px", &O::epipolar_tolerance_px, 0.0, 100.0,
-              "of near-aligned segments to each other's epipolar band"},
+              "maximum distance of nearly aligned segments from each other's epipolar band"},
         Field{"min_overlap", &O::min_overlap, 0.0, 1.0,
-              "epipolar overlap of two segments, share of the shorter one"},
-        Field{"max_candidates", &O::max_candidates, 1, 100, "candidates kept per segment"}};
+              "minimum epipolar overlap of two segments, as a share of the shorter one"},
+        Field{"max_candidates", &O::max_candidates, 1, 100,
+              "maximum number of candidates per segment"}};
   }
 };
 

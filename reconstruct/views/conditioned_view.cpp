@@ -90,8 +90,8 @@ ConditionedViews condition(std::span<const ProjectionMatrix> cameras,
   const PixelRay of_first = ray(cameras[first], images[first].centre_px);
   ConditionedViews frames;
   frames.object.centre_m = closest_point(of_first, ray(cameras[second], images[second].centre_px));
-  check(frames.object.centre_m.allFinite(),
-        "condition: the rays of the patch's centres are parallel", ", must intersect");
+  check(frames.object.centre_m.allFinite(), "condition: the rays of the patch centres are parallel",
+        ", must intersect");
 
   // The scale is what one radius of the patch in the first image spans at the distance of the
   // centre.

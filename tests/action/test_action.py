@@ -82,7 +82,7 @@ class ActionTest(unittest.TestCase):
         self.assertEqual(result.exit_code, 3, result.log)
         self.assertEqual(result.outputs["passed"], "false")
         self.assertEqual(self.n_failures(result), 1)
-        self.assertIn("Accuracy gate: **failed**, 1 of 2 checks failed", result.summary)
+        self.assertIn("Accuracy gate: **failed** (1 of 2 checks passed)", result.summary)
         self.assertIn("::error title=Gate", result.log)
         self.assertLessEqual({"report.html", "gates.xml"}, set(result.artifacts["kept"]))
 

@@ -194,7 +194,7 @@ TEST_F(Block, WrongStepsAndFilesAreRefused) {
 
   fs::copy(path("patch/block.yaml"), path("patch/second.yaml"));
   EXPECT_REFUSED(run({"block", "patch/second.yaml", "--out", "out"}),
-                 HasSubstr("a folder holds one block"));
+                 HasSubstr("a folder can only hold one block"));
   write_block("block.yaml", "patch_size_m: 50\n");
   EXPECT_REFUSED(block("out"),
                  AllOf(HasSubstr("block.yaml: has changed since the block was planned")));
@@ -207,7 +207,7 @@ TEST_F(Block, WrongStepsAndFilesAreRefused) {
   EXPECT_REFUSED(refusal("patch_size_m: 0\n"), HasSubstr("patch_size_m = 0; must be"));
   EXPECT_REFUSED(refusal("patchsize: 7\n"), HasSubstr("patchsize"));
   EXPECT_REFUSED(refusal("", "[{path: frames/left.tif}, {path: frames/right.tif}]"),
-                 HasSubstr("a folder or patterns of files"));
+                 HasSubstr("a folder or file patterns"));
   EXPECT_FALSE(fs::exists(path("bad")));
   EXPECT_REFUSED(run({"run", "patch/block.yaml", "--out", "bad"}), HasSubstr("is a block file"));
   EXPECT_REFUSED(run({"block", "patch/oriented.yaml", "--out", "bad"}),

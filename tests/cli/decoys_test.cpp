@@ -33,8 +33,8 @@ std::vector<json> shares_of(const json& evaluation) {
 TEST_F(Decoys, StandInEveryOutputByKindAndDistance) {
   const ProgramResult result = evaluate("scene/lines.good.geojson", "out");
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, AllOf(HasSubstr("Decoys that come out within 0.2 m"),
-                                HasSubstr("not say how many lines are wrong")));
+  EXPECT_THAT(result.out, AllOf(HasSubstr("Decoys that pass within 0.2 m"),
+                                HasSubstr("not show how many lines are wrong")));
   const json decoys = judged("out")["decoys"];
   ASSERT_EQ(decoys.size(), 8U) << "two kinds by four distances: no images are given";
   for (const json& row : decoys) {
@@ -123,8 +123,8 @@ TEST_F(Decoys, LinesOfAnotherPlaceAreRefused) {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run(arguments);
   };
-  EXPECT_REFUSED(judge({}), AllOf(HasSubstr("the lines do not follow the cloud"),
-                                  HasSubstr("--decoys 0 judges them")));
+  EXPECT_REFUSED(judge({}), AllOf(HasSubstr("the lines do not fit the cloud"),
+                                  HasSubstr("--decoys 0 skips this check")));
   EXPECT_EQ(judge({"--decoys", "0"}).exit_code, 0);
 }
 

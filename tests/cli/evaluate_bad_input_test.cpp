@@ -95,7 +95,7 @@ TEST_F(EvaluateBadInput, CloudWithoutPointsIsRefused) {
   empty.replace(kLegacyPointCountAt, 4, 4, '\0');
   empty.replace(kPointCountAt, 8, 8, '\0');
   write(path("none.las"), empty);
-  EXPECT_REFUSED(evaluate_against("none.las"), HasSubstr("none.las: holds no points"));
+  EXPECT_REFUSED(evaluate_against("none.las"), HasSubstr("none.las: has no points"));
 }
 
 TEST_F(EvaluateBadInput, LinesOutsideTheCloudAreRefusedWithBothBounds) {
@@ -161,7 +161,7 @@ TEST_F(EvaluateBadInput, FeetAgainstMetresAreRefusedWithBothUnits) {
 
 TEST_F(EvaluateBadInput, FilterThatLeavesNoPointIsExplained) {
   EXPECT_REFUSED(evaluate(kLines, "out", {"--classes", "77"}),
-                 AllOf(HasSubstr("scene/lidar.las: no point of"), HasSubstr("dropped by class"),
+                 AllOf(HasSubstr("scene/lidar.las: none of"), HasSubstr("dropped by class"),
                        HasSubstr("ridgeline info")));
   EXPECT_REFUSED(evaluate(kLines, "out", {"--bounds", "0,0,3,4"}),
                  AllOf(HasSubstr("scene/lidar.las"), HasSubstr("--bounds")));
@@ -190,7 +190,7 @@ TEST_F(EvaluateBadInput, OptionOutOfRangeIsNamedWithValueAndRule) {
 TEST_F(EvaluateBadInput, TwoLineFilesOfOneNameAreRefused) {
   EXPECT_REFUSED(
       run({"evaluate", "--lines", kLines, kLines, "--cloud", "scene/lidar.las", "--out", "out"}),
-      HasSubstr("second line file named 'lines.good'"));
+      HasSubstr("second line file is called 'lines.good'"));
 }
 
 TEST_F(EvaluateBadInput, WrongKeyOfAPatchIsNamedBesideTheKnownOnes) {
@@ -202,7 +202,7 @@ TEST_F(EvaluateBadInput, WrongKeyOfAPatchIsNamedBesideTheKnownOnes) {
 
 TEST_F(EvaluateBadInput, FolderThatCannotBeMadeIsNamed) {
   EXPECT_REFUSED(evaluate(kLines, "scene/lidar.las"),
-                 HasSubstr("scene/lidar.las: folder cannot be made"));
+                 HasSubstr("scene/lidar.las: the folder cannot be created"));
   EXPECT_REFUSED(evaluate(kLines, "/proc/out"), HasSubstr("/proc/out"));
 }
 

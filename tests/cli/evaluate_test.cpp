@@ -163,7 +163,7 @@ TEST_F(Evaluate, LinesThatAreNoLinesGetAStatus) {
         "fine,513010,5403010,250,513014,5403010,250\n");
   const ProgramResult result = evaluate("odd.csv", "out");
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("odd.csv: 1 of 3 lines have coordinates that are not finite"));
+  EXPECT_THAT(result.err, HasSubstr("odd.csv: 1 of 3 lines have non-finite coordinates"));
   const nlohmann::json lines = read_json(path("out/evaluation.odd.json"))["lines"];
   ASSERT_EQ(lines.size(), 3U);
   EXPECT_EQ(lines[0]["id"], "nan");

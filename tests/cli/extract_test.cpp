@@ -62,7 +62,7 @@ TEST_F(ExtractCommand, RefusesWrongInput) {
   EXPECT_REFUSED(run({"extract", "square.png", "--out", "square.png"}),
                  HasSubstr("would be overwritten"));
   EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--image-id", "left"}),
-                 HasSubstr("needs --patch"));
+                 HasSubstr("requires --patch"));
   EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--overlay", "a.csv"}),
                  HasSubstr("would be overwritten"));
   EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--overlay", "a.jpg"}),

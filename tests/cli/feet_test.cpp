@@ -91,7 +91,7 @@ TEST_F(Feet, LinesOutsideByTheFootNameTheFactor) {
   write_cloud("feet.xyz", 1.0 / kFoot_m);
   write_eave("metres.csv", 1.0);
   EXPECT_REFUSED(judge("metres.csv", "feet.xyz"),
-                 AllOf(HasSubstr("not in the same frame"), HasSubstr("times 3.2808")));
+                 AllOf(HasSubstr("not in the same frame"), HasSubstr("scaled by 3.2808")));
 }
 
 TEST_F(Feet, LinesWithoutASystemAreInTheUnitsOfTheCloud) {
@@ -99,7 +99,7 @@ TEST_F(Feet, LinesWithoutASystemAreInTheUnitsOfTheCloud) {
   write_eave("eave.csv", 1.0 / kFoot_m);
   const ProgramResult result = judge("eave.csv", "feet.las");
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("states no horizontal reference system"));
+  EXPECT_THAT(result.err, HasSubstr("has no horizontal reference system"));
   constexpr double kRounding_m = 1e-3;  // the LAS file's resolution, a thousandth of a foot
   EXPECT_NEAR(mean_distance_m("eave"), 0.0, kRounding_m);
   EXPECT_THAT(run({"info", "feet.las"}).out,
@@ -110,7 +110,7 @@ TEST_F(Feet, InfoStatesOneUnit) {
   write_cloud("cloud.xyz", 1.0);
   const ProgramResult cloud = run({"info", "cloud.xyz"});
   EXPECT_EQ(cloud.exit_code, 0) << cloud.err;
-  EXPECT_THAT(cloud.out, HasSubstr("units       not stated, taken as metre"));
+  EXPECT_THAT(cloud.out, HasSubstr("units       unknown, assuming metres"));
   write(path("feet.geojson"),
         R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"EPSG:2992"}},)"
         R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"LineString",)"
@@ -138,7 +138,7 @@ TEST_F(Feet, DegreesOfACloudBehindAnAssumedSystemAreRefused) {
     text += fmt::format("{:.7f} {:.7f} {}\n", 9.17 + i * 1e-6, 48.78, 250 + i % 20);
   write(path("degrees.xyz"), text);
   EXPECT_REFUSED(judge("scene/truth.geojson", "degrees.xyz", {"--assume-crs", "EPSG:25832"}),
-                 AllOf(HasSubstr("degrees.xyz"), HasSubstr("degrees by their size")));
+                 AllOf(HasSubstr("degrees.xyz"), HasSubstr("look like degrees")));
 }
 
 TEST_F(Feet, MissingDataOfProjAreNamedAsTheCause) {

@@ -119,7 +119,7 @@ TEST_F(Frames, PatchOfAnAreaIsWrittenAndRuns) {
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_THAT(made.out,
               AllOf(HasSubstr("height_range: auto is "), HasSubstr("images of the area, 2 of 2: "),
-                    HasSubstr("1 of 3 files of images are not in the orientation")));
+                    HasSubstr("1 of 3 image files are not in the orientation")));
   EXPECT_THAT(read(path("patch/roofs.yaml")),
               AllOf(HasSubstr("orientation: \"opk.csv\""), HasSubstr("images: \"frames\"")));
   const ProgramResult result = run_file("roofs.yaml", "out");
@@ -133,7 +133,7 @@ TEST_F(Frames, PatchOfAnAreaIsWrittenAndRuns) {
   // A patch file that is there is kept.
   EXPECT_REFUSED(run({"patch", "--init", "patch/roofs.yaml", "--orientation", "patch/opk.csv",
                       "--images", "patch/frames", "--area", bounds(), "--height-range", "229,280"}),
-                 HasSubstr("is there already"));
+                 HasSubstr("already exists"));
 }
 
 TEST_F(Frames, FaultsOfAnAreaAreSaidAndNothingIsWritten) {
@@ -147,15 +147,15 @@ TEST_F(Frames, FaultsOfAnAreaAreSaidAndNothingIsWritten) {
   EXPECT_REFUSED(init("1000,1000,1100,1100", "--height-range", "229,280"),
                  HasSubstr("area: 0 of 2 images show it"));
   EXPECT_REFUSED(init("1000,1000,1100,1100", "--lidar", "patch/lidar.las"),
-                 HasSubstr("no point of the lidar lies in the area"));
-  EXPECT_REFUSED(init("1100,1000,1000,1100", "--height-range", "229,280"),
-                 HasSubstr("smaller value first"));
+                 HasSubstr("no LIDAR point lies in the area"));
+  EXPECT_REFUSED(init("1100,1000,1000,1100", "--height-range", "229,280"), HasSubstr("min <= max"));
   EXPECT_REFUSED(init("area.gpkg", "--height-range", "229,280"),
                  HasSubstr("area.gpkg: does not exist"));
   EXPECT_REFUSED(init(bounds(), "--max-views", "2"),
                  HasSubstr("--lidar, --surface-model or --height-range"));
   fs::remove(path("patch/frames/right.tif"));
-  EXPECT_REFUSED(init(bounds(), "--height-range", "229,280"), HasSubstr("at least two are needed"));
+  EXPECT_REFUSED(init(bounds(), "--height-range", "229,280"),
+                 HasSubstr("at least two are required"));
   EXPECT_FALSE(fs::exists(path("patch/new.yaml")));
 }
 
@@ -168,14 +168,14 @@ TEST_F(Frames, KeysThatDoNotGoTogetherAreRefused) {
   EXPECT_REFUSED(refusal(list, "height_range: low"),
                  HasSubstr("must be [lowest, highest] or auto"));
   EXPECT_REFUSED(refusal(list, "height_range: [229, 280]\nmax_views: 3"),
-                 HasSubstr("max_views needs area"));
+                 HasSubstr("max_views requires area"));
   EXPECT_REFUSED(refusal(list, "height_range: [229, 280]\nsurface_model: dsm.tif"),
-                 HasSubstr("surface_model serves"));
+                 HasSubstr("surface_model is only used"));
   EXPECT_REFUSED(refusal("none/*.tif", "height_range: [229, 280]"), HasSubstr("matches no file"));
   EXPECT_REFUSED(
       refusal("\n  - {path: left.tif, window_px: [0, 0, 90000, 10]}\n  - path: right.tif",
               "height_range: [229, 280]"),
-      HasSubstr("do not hold the window"));
+      HasSubstr("do not contain the window"));
   EXPECT_REFUSED(refusal("\n  - {path: left.tif, radiometry: [[9, 3]]}\n  - path: right.tif",
                          "height_range: [229, 280]"),
                  HasSubstr("must be [low, high]"));
@@ -210,7 +210,7 @@ TEST_F(Frames, ExtractReadsAWindow) {
   EXPECT_GT(n, 10);
   EXPECT_GT(n_in_whole, 0.8 * n);  // some run into the border
   EXPECT_REFUSED(run({"extract", "patch/left.tif", "--out", "x.csv", "--window", "0,0,99999,10"}),
-                 HasSubstr("do not hold the window of 99999 x 10"));
+                 HasSubstr("do not contain the window of 99999 x 10"));
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ TEST_F(Gate, NumberOfLinesOfTheFileHoldsForEveryGateWithoutOne) {
         "n_min: 100000\ngates: [{max: 10.0}, {metric: median_m, max: 10.0, n_min: 1}]\n");
   const ProgramResult result = run({"gate", "results", "--gates", "gates.yaml"});
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_THAT(result.out, AllOf(HasSubstr("1 of 2 checks failed"),
+  EXPECT_THAT(result.out, AllOf(HasSubstr("1 of 2 checks passed"),
                                 HasSubstr("rms_m <= 10 (n >= 100000)"), HasSubstr("insufficient")));
 }
 
@@ -113,7 +113,7 @@ TEST_F(Gate, BaselineThatNoGateRefersToHoldsNothingAndSaysSo) {
   const ProgramResult result =
       gate("{metric: evaluated_share, min: 0.0}", {"--baseline", "results"});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_THAT(result.out, HasSubstr("0 of 1 checks failed"));
+  EXPECT_THAT(result.out, HasSubstr("1 of 1 checks passed"));
   EXPECT_THAT(result.err, HasSubstr("no gate refers to the baseline"));
 }
 
@@ -273,7 +273,7 @@ TEST_F(Gate, FolderWithoutResultsIsRefused) {
   EXPECT_REFUSED(run({"gate", "none", "--gates", "gates.yaml"}),
                  HasSubstr("none: is not a results folder"));
   EXPECT_REFUSED(run({"gate", "scene", "--gates", "gates.yaml"}),
-                 HasSubstr("scene: holds no evaluation.*.json"));
+                 HasSubstr("scene: has no evaluation.*.json"));
   EXPECT_REFUSED(gate(kEasy, {"--baseline", "none"}), HasSubstr("none: is not a results folder"));
 }
 
@@ -281,7 +281,8 @@ TEST_F(Gate, DamagedResultsAreRefusedByName) {
   write(path("results/run.json"), "{}");
   EXPECT_REFUSED(gate(kEasy), AllOf(HasSubstr("results/run.json"), HasSubstr("inputs")));
   write(path("results/table2.json"), R"({"passed": true, "gates": []})");
-  EXPECT_REFUSED(gate(kEasy), AllOf(HasSubstr("results/table2.json"), HasSubstr("is no Table 2")));
+  EXPECT_REFUSED(gate(kEasy),
+                 AllOf(HasSubstr("results/table2.json"), HasSubstr("is not a Table 2")));
   std::filesystem::remove(path("results/table2.json"));
   write(path("results/evaluation.lines.good.json"), "{");
   EXPECT_REFUSED(gate(kEasy), HasSubstr("results/evaluation.lines.good.json: not JSON"));

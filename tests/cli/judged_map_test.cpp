@@ -147,7 +147,7 @@ TEST_F(WritePoints, RefusesWhatItCannotDoBeforeTheWork) {
   };
   EXPECT_REFUSED(refused("points.laz"), HasSubstr("points.laz, must end in .las, .pcd or .ply"));
   write(path("mine.ply"), "ply of a user");
-  EXPECT_REFUSED(refused("mine.ply"), HasSubstr("mine.ply: exists already"));
+  EXPECT_REFUSED(refused("mine.ply"), HasSubstr("mine.ply: already exists"));
   EXPECT_EQ(read(path("mine.ply")), "ply of a user");
   EXPECT_REFUSED(refused("scene/lidar.las"), HasSubstr("scene/lidar.las: is an input"));
   EXPECT_REFUSED(run({"evaluate", "--lines", "scene/lines.good.geojson", "scene/lines.poor.geojson",

@@ -59,7 +59,7 @@ class LineFiles : public Cli {
 
 TEST_F(LineFiles, WithOneIdForAllLinesAreJudgedAll) {
   write_changed("same.geojson", [](json& feature) { feature["properties"]["id"] = 12; });
-  EXPECT_THAT(expect_as_good("same.geojson"), HasSubstr("are numbered: 12.1, 12.2, 12.3, ..."));
+  EXPECT_THAT(expect_as_good("same.geojson"), HasSubstr("get a number: 12.1, 12.2, 12.3, ..."));
   const json lines = read_json(path("out/evaluation.same.json"))["lines"];
   EXPECT_EQ(lines[0]["id"], "12");
   EXPECT_EQ(lines[1]["id"], "12.1");
@@ -71,9 +71,9 @@ TEST_F(LineFiles, InCollectionsAreJudgedAndWhatIsBesideThemIsCounted) {
     const json point = {{"type", "Point"}, {"coordinates", line["coordinates"][0]}};
     feature["geometry"] = {{"type", "GeometryCollection"}, {"geometries", {point, line}}};
   });
-  EXPECT_THAT(expect_as_good("grouped.geojson"), HasSubstr("left out: "));
+  EXPECT_THAT(expect_as_good("grouped.geojson"), HasSubstr("ignored: "));
   EXPECT_THAT(recorded_warnings(),
-              Contains(AllOf(HasSubstr("grouped.geojson: left out: "), HasSubstr("points"))));
+              Contains(AllOf(HasSubstr("grouped.geojson: ignored: "), HasSubstr("points"))));
 }
 
 TEST_F(LineFiles, WithAVertexEveryQuarterOfAMetreAreJudgedAsTheyAre) {
@@ -91,13 +91,13 @@ TEST_F(LineFiles, WithAVertexEveryQuarterOfAMetreAreJudgedAsTheyAre) {
       vertices.push_back(x);
     }
   });
-  EXPECT_THAT(expect_as_good("dense.geojson"), HasSubstr("of a straight line do not divide it"));
+  EXPECT_THAT(expect_as_good("dense.geojson"), HasSubstr("of a straight line are ignored"));
 }
 
 TEST_F(LineFiles, WithColumnsOfAnotherToolKeepThemInTheMap) {
   write_changed("other.geojson",
                 [](json& feature) { feature["properties"]["n_points"] = "about 120"; });
-  EXPECT_THAT(expect_as_good("other.geojson"), HasSubstr("column n_points is another tool's"));
+  EXPECT_THAT(expect_as_good("other.geojson"), HasSubstr("column n_points has another meaning"));
 }
 
 TEST_F(LineFiles, OfMoreColumnsThanTheMapHoldsAreSaidToBe) {
@@ -112,14 +112,14 @@ TEST_F(LineFiles, WithoutALineAreRefusedNamingWhatTheyHold) {
     feature["geometry"] = {{"type", "Point"},
                            {"coordinates", feature["geometry"]["coordinates"][0]}};
   });
-  EXPECT_REFUSED(evaluate("points.geojson", "out"),
-                 AllOf(HasSubstr("points.geojson: holds no 3D lines but "),
-                       HasSubstr(" points; 3D lines, or")));
+  EXPECT_REFUSED(
+      evaluate("points.geojson", "out"),
+      AllOf(HasSubstr("points.geojson: has no 3D lines but "), HasSubstr(" points; 3D lines, or")));
   EXPECT_REFUSED(evaluate(kGood, "out", {"--reference-lines", "points.geojson"}),
-                 HasSubstr("points.geojson: holds no 3D lines but "));
+                 HasSubstr("points.geojson: has no 3D lines but "));
   write(path("none.geojson"), R"({"type":"FeatureCollection","crs":null,"features":[]})");
   EXPECT_REFUSED(evaluate(kGood, "out", {"--reference-lines", "none.geojson"}),
-                 HasSubstr("none.geojson: holds no reference lines"));
+                 HasSubstr("none.geojson: has no reference lines"));
 }
 
 TEST_F(LineFiles, OfReferenceAreWarnedOfAsThoseThatAreJudged) {
@@ -132,8 +132,8 @@ TEST_F(LineFiles, OfReferenceAreWarnedOfAsThoseThatAreJudged) {
   const ProgramResult result =
       evaluate(kGood, "out", {"--reference-lines", "true.geojson", "--no-report"});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_THAT(result.err, HasSubstr("true.geojson: left out: 1 point"));
-  EXPECT_THAT(recorded_warnings(), Contains("true.geojson: left out: 1 point"));
+  EXPECT_THAT(result.err, HasSubstr("true.geojson: ignored: 1 point"));
+  EXPECT_THAT(recorded_warnings(), Contains("true.geojson: ignored: 1 point"));
 }
 
 TEST_F(LineFiles, OfPolygonsAsReferenceGiveTheirEdges) {

@@ -82,7 +82,7 @@ TEST_F(Match, ByChioTellsHowEachLineCameAbout) {
   EXPECT_EQ(std::count(provenance.begin(), provenance.end(), '\n') - 1,
             std::ranges::count(rows, "chio", &Correspondence::matcher));
   EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", "m.csv", "--provenance", "chio.csv"}),
-                 HasSubstr("needs --matcher chio"));
+                 HasSubstr("requires --matcher chio"));
 }
 
 TEST_F(Match, SaysWhatIsWrongWithItsInput) {

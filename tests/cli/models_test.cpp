@@ -230,10 +230,10 @@ TEST_F(Models, AndOptionsThatDoNotFitAreRefused) {
   write(path("lines.csv"), "x1,y1,z1,x2,y2,z2\n513000,5403000,250,513010,5403000,250\n");
   write(path("own.json"), "{}");
   EXPECT_REFUSED(judge("town.gml", "out", {"--by", "colour"}),
-                 AllOf(HasSubstr("--by colour"), HasSubstr("there are: roof")));
-  EXPECT_REFUSED(judge("lines.csv", "out", {"--by", "roof"}), HasSubstr("no model of buildings"));
+                 AllOf(HasSubstr("--by colour"), HasSubstr("available: roof")));
+  EXPECT_REFUSED(judge("lines.csv", "out", {"--by", "roof"}), HasSubstr("not a building model"));
   EXPECT_REFUSED(judge("lines.csv", "out", {"--write-attributes", "a.json"}),
-                 HasSubstr("lines.csv: is no model of buildings"));
+                 HasSubstr("lines.csv: is not a building model"));
   EXPECT_REFUSED(judge("town.gml", "out", {"--write-attributes", "a.txt"}),
                  HasSubstr("must end in .json, .jsonl, .gml or .gpkg"));
   EXPECT_REFUSED(judge("town.gml", "out", {"--write-attributes", "own.json"}),
@@ -242,7 +242,7 @@ TEST_F(Models, AndOptionsThatDoNotFitAreRefused) {
   EXPECT_REFUSED(judge("town.gml", "out", {"--write-attributes", "town.gml"}),
                  HasSubstr("town.gml"));
   EXPECT_REFUSED(judge("town.gml", "out", {"--lod", "1"}),
-                 HasSubstr("town.gml: holds 4 buildings and no faces of them in LoD 1"));
+                 HasSubstr("town.gml: has 4 buildings without faces in LoD 1"));
   EXPECT_FALSE(std::filesystem::exists(path("out")));
 }
 

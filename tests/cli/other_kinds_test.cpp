@@ -35,7 +35,7 @@ TEST_F(OtherKinds, AreNamedWhereAPatchFileIsExpected) {
 TEST_F(OtherKinds, AreNamedByTheOptionsOfEvaluate) {
   EXPECT_REFUSED(evaluate("scene/lidar.las", "out"),
                  HasSubstr("is a LAS point cloud, not a file of 3D lines; give it as --cloud"));
-  EXPECT_REFUSED(evaluate("page.html", "out"), HasSubstr("is a web page, perhaps of a failed"));
+  EXPECT_REFUSED(evaluate("page.html", "out"), HasSubstr("is a web page, perhaps from a failed"));
   EXPECT_REFUSED(evaluate("scene/lines.good.geojson", "out", {"--config", "gates.yaml"}),
                  HasSubstr("is a gates file, not a config file; give it as --gates"));
   EXPECT_REFUSED(evaluate("scene/lines.good.geojson", "out", {"--reference-lines", "judge.yaml"}),
@@ -50,11 +50,11 @@ TEST_F(OtherKinds, AreNamedWhereResultsAreExpected) {
   EXPECT_REFUSED(run({"gate", "out", "--gates", "judge.yaml"}),
                  HasSubstr("is a config file, not a gates file; give it as --config"));
   EXPECT_REFUSED(run({"gate", "out", "--gates", "out"}),
-                 HasSubstr("out: is a folder of results, not a gates file"));
+                 HasSubstr("out: is a results folder, not a gates file"));
   for (const char* const command : {"compare", "report"}) {
-    EXPECT_REFUSED(run({command, "out/run.json"}),
-                   HasSubstr("is the record of a run (run.json), not a folder of results; give the "
-                             "folder that it lies in"));
+    EXPECT_REFUSED(
+        run({command, "out/run.json"}),
+        HasSubstr("is the record of a run (run.json), not a results folder; give its folder"));
     EXPECT_REFUSED(run({command, "scene"}),
                    HasSubstr("it is a folder with 1 cloud and 4 line files"));
   }
@@ -78,8 +78,9 @@ TEST_F(OtherKinds, OfHugeFilesAreNotReadWhole) {
 
 TEST_F(OtherKinds, OfPipesAreNeverOpened) {
   ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
-  EXPECT_REFUSED(run({"info", "pipe"}), HasSubstr("pipe: is no regular file"));
-  EXPECT_REFUSED(run({"run", "pipe", "--out", "out"}), HasSubstr("pipe: is no regular file"));
+  EXPECT_REFUSED(run({"info", "pipe"}), HasSubstr("pipe: is a device, pipe or socket"));
+  EXPECT_REFUSED(run({"run", "pipe", "--out", "out"}),
+                 HasSubstr("pipe: is a device, pipe or socket"));
 }
 
 }  // namespace

@@ -36,8 +36,7 @@ TEST_F(Outcome, RunWithoutLidarSaysHowManyLinesThereAre) {
   const ProgramResult result =
       run({"run", "patch/patch.yaml", "--methods", "direct", "--out", "out"});
   expect_message(result,
-                 "Patch 1: no LIDAR is given: [1-9][0-9]* lines reconstructed, none "
-                 "judged\\.");
+                 "Patch 1: no LIDAR given: [1-9][0-9]* lines reconstructed, none judged\\.");
   EXPECT_THAT(result.out, Not(HasSubstr("Distances of the lines")));
   EXPECT_THAT(read(path("out/table2.md")), HasSubstr("RMS of the lines"));
 }
@@ -57,7 +56,7 @@ TEST_F(Outcome, EvaluateSaysWhyNoLineWasJudged) {
         "b,513015,5403015,250,513015.1,5403015,250\n");
   const ProgramResult result =
       run({"evaluate", "--lines", "short.csv", "--cloud", "patch/lidar.las", "--out", "out"});
-  expect_message(result, "Patch lidar: 0 of 2 lines could be judged: 2 too_short\\.");
+  expect_message(result, "Patch lidar: none of 2 lines could be judged: 2 too_short\\.");
   EXPECT_THAT(result.out, Not(HasSubstr("Distances of the lines")));
 }
 

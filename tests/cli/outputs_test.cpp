@@ -138,7 +138,7 @@ TEST_F(PatchIds, ThatDifferInCaseAloneAreRefused) {
           std::string("id: ") + id + text.substr(text.find('\n')));
   }
   EXPECT_REFUSED(run({"run", "patch/a.yaml", "patch/A.yaml", "--out", "out"}),
-                 AllOf(HasSubstr("A.yaml"), HasSubstr("upper and lower case")));
+                 AllOf(HasSubstr("A.yaml"), HasSubstr("ignoring case")));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ class SingleFiles : public SmallPatch {
                                     const std::string& file) const {
     SCOPED_TRACE(file);
     write(path(file), "mine");
-    EXPECT_REFUSED(run(arguments), HasSubstr(file + ": exists already; --overwrite replaces it"));
+    EXPECT_REFUSED(run(arguments), HasSubstr(file + ": already exists; --overwrite replaces it"));
     EXPECT_EQ(read(path(file)), "mine");
     arguments.emplace_back("--overwrite");
     const ProgramResult result = run(arguments);
@@ -103,7 +103,7 @@ TEST_F(SingleFiles, FormatOfLinesIsThatOfTheEnding) {
   }
   EXPECT_EQ(reconstruct("l.lines", "dxf").exit_code, 0);
   EXPECT_REFUSED(reconstruct("l.dwg"), HasSubstr("--out = l.dwg: no known format has"));
-  EXPECT_REFUSED(reconstruct("m.dxf", "csv"), HasSubstr("--format csv: m.dxf has the ending"));
+  EXPECT_REFUSED(reconstruct("m.dxf", "csv"), HasSubstr("--format csv: m.dxf has the extension"));
 }
 
 /// Folders of results.
@@ -190,7 +190,7 @@ TEST_F(OwnFolders, OfOlderVersionsAreLeftAlone) {
   nlohmann::json record = read_json(path("out/run.json"));
   record.erase("files");
   write(path("out/run.json"), record.dump());
-  EXPECT_REFUSED(judge(), HasSubstr("is in a folder of an older version"));
+  EXPECT_REFUSED(judge(), HasSubstr("is in a folder written by an older version"));
   EXPECT_EQ(read(path("out/run.json")), record.dump());
 }
 

@@ -169,7 +169,7 @@ TEST_F(OwnSegments, OfAWindowAreInPixelsOfTheFile) {
   write(path("patch/strip2.csv"), "id,x1_px,y1_px,x2_px,y2_px\n0,10,50,40,50\n1,100,50,160,50\n");
   const ProgramResult result = run_patch("own.yaml", "own", {"--max-y-parallax-px", "0"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("strip2.csv: 1 of 2 segments are not used"));
+  EXPECT_THAT(result.err, HasSubstr("strip2.csv: 1 of 2 segments are ignored"));
   const auto used = io::read_segments(path("own/patch/edges.strip2.csv").string());
   ASSERT_EQ(used.size(), 1U);
   EXPECT_EQ(midpoint(used[0].in_image), Eigen::Vector2d(70, 10));

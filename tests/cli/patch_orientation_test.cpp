@@ -71,7 +71,7 @@ TEST_F(OrientedPatch, ServesEveryCommandThatTakesPatches) {
 TEST_F(OrientedPatch, SaysOnceWhatItsImagesDecide) {
   write_orientation("omega,phi,kappa", 0.0);
   const ProgramResult info = run({"info", "patch/oriented.yaml"});
-  EXPECT_THAT(info.out, HasSubstr("decided     patch/opk.csv: The file does not state"));
+  EXPECT_THAT(info.out, HasSubstr("decided     patch/opk.csv: The file does not define"));
   const ProgramResult result = run_oriented();
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("info: patch/opk.csv: "));

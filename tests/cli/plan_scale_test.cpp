@@ -134,7 +134,7 @@ images:
 )",
                                         -kMercator.x(), -kMercator.y(), -kMercator.x() - 100));
   const ProgramResult judged = judge({"--patch", "patch.yaml", "--scale-to-ground"});
-  EXPECT_THAT(judged.err, HasSubstr("cameras, which cannot be scaled"));
+  EXPECT_THAT(judged.err, HasSubstr("cameras cannot be scaled"));
   EXPECT_REFUSED(run({"run", "patch.yaml", "--out", "out"}),
                  AllOf(HasSubstr("patch.yaml"), HasSubstr("1.515 times"), HasSubstr("EPSG:32632"),
                        Not(HasSubstr("--scale-to-ground"))));
@@ -147,8 +147,8 @@ TEST_F(PlanScale, PlacesOutsideOfTheAreaOfUseAreWarnedOf) {
   write_ridge("ridge.geojson", "EPSG:2992", far, feet);
   const ProgramResult result = judge();
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_THAT(result.err, HasSubstr("outside of its area of use"));
-  EXPECT_THAT(run({"info", "cloud.las"}).out, HasSubstr("outside of the reference system's area"));
+  EXPECT_THAT(result.err, HasSubstr("outside its area of use"));
+  EXPECT_THAT(run({"info", "cloud.las"}).out, HasSubstr("outside the reference system's area"));
 }
 
 TEST_F(PlanScale, BoundsAreInTheCoordinatesOfTheCloud) {

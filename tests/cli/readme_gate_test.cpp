@@ -39,7 +39,7 @@ std::string product_in(const fs::path& patch_folder) {
   for (const char* method : {"lines", "network", "joint", "direct"}) {
     if (fs::exists(patch_folder / fmt::format("evaluation.{}.json", method))) return method;
   }
-  ADD_FAILURE() << patch_folder << " holds no evaluation";
+  ADD_FAILURE() << patch_folder << " has no evaluation";
   return "";
 }
 
@@ -159,7 +159,7 @@ TEST_F(ListedMetrics, WorkOnARunOrSayWhyNot) {
   EXPECT_THAT(failed("judged", wide),
               testing::UnorderedElementsAre("correctness", "completeness", "quality", "edge_recall",
                                             "sighting_recall", "sighting_precision"));
-  EXPECT_THAT(read(path("verdicts.json")), HasSubstr("evaluate judges lines"));
+  EXPECT_THAT(read(path("verdicts.json")), HasSubstr("evaluate does not"));
 }
 
 /// The template with the gates that it proposes in comments in force.
@@ -174,7 +174,7 @@ TEST_F(ReadmeGate, TemplatePassesOnTheSamplePairsWithAllThatItProposes) {
   write(path("gates.yaml"), printed.out);
   EXPECT_EQ(gate("pairs").exit_code, 0) << gate("pairs").out;
   write(path("gates.yaml"), uncommented(printed.out));
-  EXPECT_EQ(gate("pairs").exit_code, 3) << "no baseline is given";
+  EXPECT_EQ(gate("pairs").exit_code, 3) << "no baseline given";
   const ProgramResult all = gate("pairs", {"--baseline", "pairs"});
   EXPECT_EQ(all.exit_code, 0) << all.out << all.err;
   EXPECT_THAT(all.out, AllOf(HasSubstr("quality >= 0.85"), HasSubstr("baseline + 0.02"),

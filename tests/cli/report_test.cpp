@@ -91,7 +91,7 @@ TEST_F(Report, SaysThatTheSurfaceIsGoneOrHasChanged) {
   fs::remove(path("out/1/surface.las"));
   const nlohmann::json without = patch();
   EXPECT_TRUE(without["surface"].is_null());
-  EXPECT_THAT(without["notes"].dump(), HasSubstr("1/surface.las: is no longer there"));
+  EXPECT_THAT(without["notes"].dump(), HasSubstr("1/surface.las: no longer exists"));
 }
 
 TEST_F(Report, VerdictsOfTheMatchesAddUpToTable1) {
@@ -135,7 +135,7 @@ TEST_F(Report, HoldsNoFoldersOfTheSender) {
   ASSERT_EQ(run({"report", path("judged").string()}).exit_code, 0);
   const nlohmann::json data = data_of("judged/report.html");
   EXPECT_EQ(data["run"]["options"]["lines"].at(0), "lines.good.geojson");
-  EXPECT_THAT(data["patches"][0]["notes"].dump(), HasSubstr("lidar.las: is no longer there"));
+  EXPECT_THAT(data["patches"][0]["notes"].dump(), HasSubstr("lidar.las: no longer exists"));
   EXPECT_THAT(data.dump(), Not(HasSubstr(folder)));
 }
 
@@ -206,7 +206,7 @@ TEST_F(Report, WithoutAReportTheResultsOfARunStand) {
   const ProgramResult result =
       run({"run", "patch/patch.yaml", "--out", "out", "--methods", "direct"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("their report is not written"));
+  EXPECT_THAT(result.err, HasSubstr("the report could not be written"));
   EXPECT_THAT(names_in(path("out")), IsSupersetOf({"run.json", "table2.md"}));
   EXPECT_REFUSED(run({"report", "out"}), HasSubstr("report.html"));
 }
@@ -223,7 +223,7 @@ TEST_F(Report, OfAnEarlierRunDoesNotStayBesideNewResults) {
   }
   const ProgramResult again = run(arguments);
   EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_THAT(again.err, HasSubstr("their report is not written"));
+  EXPECT_THAT(again.err, HasSubstr("the report could not be written"));
   EXPECT_FALSE(fs::exists(path("out/report.html")));
 }
 
@@ -287,7 +287,7 @@ TEST_F(Report, OfJudgedLineFilesNeedsNoImages) {
 
 TEST_F(Report, RefusesAFolderWithoutResults) {
   fs::create_directories(path("empty"));
-  EXPECT_REFUSED(run({"report", "empty"}), HasSubstr("holds no evaluation"));
+  EXPECT_REFUSED(run({"report", "empty"}), HasSubstr("has no evaluation"));
   EXPECT_REFUSED(run({"report", "nowhere"}), HasSubstr("is not a results folder"));
   write(path("empty/evaluation.x.json"), "[]");
   EXPECT_REFUSED(run({"report", "empty"}), HasSubstr("evaluation.x.json"));
@@ -308,7 +308,7 @@ TEST_F(Report, RefusesResultsOfTheWrongTypes) {
   nlohmann::json record = read_json(path("out/run.json"));
   record["options"]["patch"] = 7;
   write(path("out/run.json"), record.dump());
-  EXPECT_REFUSED(run({"report", "out"}), HasSubstr("out: a file of its results is damaged"));
+  EXPECT_REFUSED(run({"report", "out"}), HasSubstr("out: a results file is damaged"));
 }
 
 TEST_F(Report, FiguresAreThoseOfTheLines) {

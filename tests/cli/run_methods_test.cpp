@@ -104,7 +104,7 @@ TEST_F(RunSample, RunsWithDifferentMatchersAreComparedByWhatTheyFind) {
             0);
   const ProgramResult lines = run({"compare", "m/pairwise", "m/chio"});
   EXPECT_EQ(lines.exit_code, 0) << lines.err;
-  EXPECT_THAT(lines.out, HasSubstr("Lines are paired in space"));
+  EXPECT_THAT(lines.out, HasSubstr("Lines are paired one to one"));
 }
 
 TEST_F(RunPatch, WithoutPropagationPairwiseIsAlone) {
@@ -210,7 +210,7 @@ TEST_F(RunSample, LinesOfPlanesAreCountedByThemselves) {
   const ProgramResult published =
       run_patch("published", {"--preset", "published", "--methods", "joint,planes"});
   EXPECT_EQ(published.exit_code, 1);
-  EXPECT_THAT(published.err, HasSubstr("planes is not one of the papers' methods"));
+  EXPECT_THAT(published.err, HasSubstr("planes is not a method of the papers"));
 }
 
 TEST_F(RunSample, LinesAreThoseOfTheNetworkAndOfPlanesWhereItHasNone) {
@@ -253,7 +253,7 @@ TEST_F(RunPatch, LinesAreTheDefaultAndTheProduct) {
   ASSERT_EQ(run({"gate", "out", "--gates", "gates.yaml", "--json", "gate.json"}).exit_code, 0);
   EXPECT_EQ(read_json(path("gate.json"))["gates"][0]["method"], "lines");
   EXPECT_REFUSED(run_default({"--preset", "published", "--methods", "lines"}),
-                 HasSubstr("lines is not one of the papers' methods"));
+                 HasSubstr("lines is not a method of the papers"));
 }
 
 TEST_F(RunPatch, KeepsAnInputAmongTheFilesOfAnotherMethod) {

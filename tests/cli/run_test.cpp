@@ -98,7 +98,7 @@ TEST_F(RunPatch, MethodsOfAnEarlierRunAreNoResultsOfTheLast) {
 
   fs::remove(path("out/1/evaluation.joint.json"));
   for (const char* command : {"report", "compare"}) {
-    EXPECT_REFUSED(run({command, "out"}), HasSubstr("names method joint of patch 1"));
+    EXPECT_REFUSED(run({command, "out"}), HasSubstr("lists method joint of patch 1"));
   }
 }
 
@@ -114,7 +114,7 @@ TEST_F(RunPatch, GatesHoldTheFiguresOfMatching) {
   EXPECT_EQ(gate("{metric: quality, method: chio, min: 0.5}"), 3);
   write(path("out/table1.json"), R"({"rows": [{"patch": "1"}]})");
   EXPECT_REFUSED(run({"gate", "out", "--gates", "gates.yaml"}),
-                 AllOf(HasSubstr("table1.json"), HasSubstr("is no Table 1")));
+                 AllOf(HasSubstr("table1.json"), HasSubstr("is not a Table 1")));
 }
 
 TEST_F(RunPatch, WithoutAReportThatOfAnEarlierRunIsGone) {
@@ -189,7 +189,7 @@ TEST_F(RunPatch, ATileNamedTwiceCountsOnce) {
 TEST_F(RunPatch, OnePictureForBothCamerasIsWarnedOf) {
   fs::copy_file(path("patch/left.tif"), path("patch/right.tif"),
                 fs::copy_options::overwrite_existing);
-  EXPECT_THAT(run_patch("out", {"--no-report"}).err, HasSubstr("hold the same picture"));
+  EXPECT_THAT(run_patch("out", {"--no-report"}).err, HasSubstr("have the same pixels"));
 }
 
 TEST_F(RunPatch, EndsWithTheStageThatUntilNames) {

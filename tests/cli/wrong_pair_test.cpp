@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images that do not fit their cameras.
+// Images that do not match their cameras.
 #include "tests/cli/cli_fixture.h"
 #include "tests/support/paths.h"
 
@@ -60,21 +60,21 @@ TEST_F(WrongPair, SwappedImagesAreRefused) {
   fs::rename(path("pair/other.tif"), path("pair/right.tif"));
   EXPECT_REFUSED(match(),
                  AllOf(HasSubstr("left.tif"), HasSubstr("right.tif"),
-                       HasSubstr("do not fit their cameras"), HasSubstr("at most 3"),
+                       HasSubstr("do not match their cameras"), HasSubstr("at most 3"),
                        HasSubstr("with the images swapped"), HasSubstr("--max-y-parallax-px 0")));
   EXPECT_FALSE(fs::exists(path("m.csv")));
 }
 
 TEST_F(WrongPair, ImagesThatAreBothTurnedAreRefused) {
   for (const char* name : {"left.tif", "right.tif"}) turn(name, cv::ROTATE_90_CLOCKWISE);
-  EXPECT_REFUSED(match(), HasSubstr("both images turned by 270 degrees clockwise"));
+  EXPECT_REFUSED(match(), HasSubstr("both images rotated by 270 degrees clockwise"));
   for (const char* name : {"left.tif", "right.tif"}) turn(name, cv::ROTATE_90_CLOCKWISE);
-  EXPECT_REFUSED(match(), HasSubstr("both images turned by 180 degrees clockwise"));
+  EXPECT_REFUSED(match(), HasSubstr("both images rotated by 180 degrees clockwise"));
 }
 
 TEST_F(WrongPair, OneTurnedImageIsRefused) {
   turn("right.tif", cv::ROTATE_180);
-  EXPECT_REFUSED(match(), HasSubstr("right.tif turned by 180 degrees clockwise"));
+  EXPECT_REFUSED(match(), HasSubstr("right.tif rotated by 180 degrees clockwise"));
 }
 
 TEST_F(WrongPair, ImagesOfAnotherSizeAreRefused) {
@@ -87,9 +87,9 @@ TEST_F(WrongPair, ImagesOfAnotherSizeAreRefused) {
 TEST_F(WrongPair, IsRefusedByEveryCommandThatTakesAPair) {
   turn("left.tif", cv::ROTATE_180);
   EXPECT_REFUSED(run({"reconstruct", "pair/patch.yaml", "--out", "lines.geojson"}),
-                 HasSubstr("do not fit their cameras"));
+                 HasSubstr("do not match their cameras"));
   EXPECT_REFUSED(run({"run", "pair/patch.yaml", "--out", "out", "--no-report"}),
-                 HasSubstr("do not fit their cameras"));
+                 HasSubstr("do not match their cameras"));
   EXPECT_FALSE(fs::exists(path("out/run.json")));
 }
 

@@ -56,7 +56,7 @@ class ErrorsAreOfTheRightKind(Case):
             (r"cloud: the shape is \(3, 2\); must be \(n, 3\)", lambda: ridgeline.evaluate(LINES, np.zeros((3, 2)))),
             (r"covariance_m2: the shape is \(2, 6\); must be \(89, 6, 6\)",
              lambda: ridgeline.evaluate(ridgeline.Lines(segments, covariance_m2=np.zeros((2, 6))), cloud)),
-            ("ids: 1 texts; must be one for each of 89 lines",
+            ("ids: 1  strings; must be one for each of  89 lines",
              lambda: ridgeline.evaluate(ridgeline.Lines(segments, ids=["a"]), cloud)),
             ("lines: .* degrees", lambda: ridgeline.evaluate(segments / 1e6, cloud)),
             ("lines: lines and cloud are not in the same frame", lambda: ridgeline.evaluate(segments + 1e5, cloud)),
@@ -65,12 +65,12 @@ class ErrorsAreOfTheRightKind(Case):
             ("cloud: no file given", lambda: ridgeline.evaluate(segments, [])),
             ("epipolar_angle_deg: must be an array of numbers",
              lambda: ridgeline.evaluate(ridgeline.Lines(segments, epipolar_angle_deg=["a"] * 89), cloud)),
-            ("covariance_m2: that of line 0 is no covariance",
+            ("covariance_m2: that of line 0 is not a covariance",
              lambda: ridgeline.evaluate(ridgeline.Lines(segments, covariance_m2=np.tile(-np.eye(6), (89, 1, 1))), cloud)),
             ("schema = x, must be plain or fkb",
              lambda: ridgeline.evaluate(segments, cloud).to_geopackage(self.folder / "x.gpkg", schema="x")),
             ("gates: entry 2: unknown key", lambda: ridgeline.gate(ridgeline.evaluate(segments, cloud), [{"max": 1}, {"mx": 1}])),
-            ("cloud: holds no points", lambda: ridgeline.evaluate(segments, np.zeros((0, 3)))),
+            ("cloud: has no points", lambda: ridgeline.evaluate(segments, np.zeros((0, 3)))),
         ):
             with self.assertRaisesRegex(ValueError, rule):
                 call()
@@ -101,11 +101,11 @@ class ErrorsAreOfTheRightKind(Case):
             path = os.path.join(folder, "mixed.geojson")
             with open(path, "w", encoding="utf-8") as file:
                 json.dump(collection | {"features": collection["features"] + [point]}, file)
-            with self.assertWarnsRegex(UserWarning, "mixed.geojson: left out: 1 point"):
+            with self.assertWarnsRegex(UserWarning, "mixed.geojson: ignored: 1 point"):
                 ridgeline.evaluate(LINES, CLOUD, reference_lines=path)
             with open(path, "w", encoding="utf-8") as file:
                 json.dump(collection | {"features": [point, point]}, file)
-            with self.assertRaisesRegex(ridgeline.InputFileError, "holds no 3D lines but 2 points"):
+            with self.assertRaisesRegex(ridgeline.InputFileError, "has no 3D lines but 2 points"):
                 ridgeline.evaluate(path, CLOUD)
 
 

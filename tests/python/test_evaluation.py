@@ -125,11 +125,11 @@ class EvaluateTakesArrays(Case):
 
     def test_a_shift_of_all_lines_is_told_and_taken_away_on_request(self):
         raised = self.lines.segments + [0, 0, 0.5]
-        with self.assertWarnsRegex(UserWarning, "lie beside the LIDAR planes by the same shift"):
+        with self.assertWarnsRegex(UserWarning, "all lines are shifted from the LIDAR planes"):
             result = ridgeline.evaluate(raised, CLOUD)
         self.assertTrue(result.shift["significant"])
         self.assertAlmostEqual(result.shift["axes"]["z"]["shift_m"], 0.5, delta=0.1)  # of lines that err by 0.2 m
-        with self.assertWarnsRegex(UserWarning, "They were moved against it"):
+        with self.assertWarnsRegex(UserWarning, "It was removed before judging"):
             moved = ridgeline.evaluate(raised, CLOUD, apply_shift=True)
         np.testing.assert_allclose(moved.segments, raised - moved.shift["told_m"], rtol=0, atol=ROUNDING_M)
         self.assertLess(moved.classes["total"]["rms_m"], result.classes["total"]["rms_m"])
@@ -144,7 +144,7 @@ class EvaluateTakesArrays(Case):
     def test_withheld_points_are_left_out_unless_asked_for(self):
         withheld = self.cloud.points.copy()
         withheld["flags"] = 4
-        with self.assertRaisesRegex(ValueError, "cloud: no point of 21544 is left: .* 21544 withheld"):
+        with self.assertRaisesRegex(ValueError, "cloud: none of 21544 points are left: .* 21544 withheld"):
             ridgeline.evaluate(self.lines, ridgeline.Cloud(withheld, self.cloud.crs))
         self.assert_same(ridgeline.evaluate(self.lines, ridgeline.Cloud(withheld, self.cloud.crs), include_withheld=True))
 
@@ -215,7 +215,7 @@ class ResultTellsWhatWasFound(Case):
         squares = np.sort(e**2)[::-1].cumsum()
         n = int(np.searchsorted(squares, squares[-1] / 2)) + 1
         self.assertEqual(headline["n_half_of_squares"], n)
-        self.assertIn(f"{n} of {len(e)} lines make half of the sum of squares", str(self.result))
+        self.assertIn(f"{n} of {len(e)} lines contribute half of the sum of squares", str(self.result))
 
     def test_each_line_names_its_surface_or_nothing(self):
         lines = self.result.lines

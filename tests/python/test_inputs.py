@@ -160,7 +160,7 @@ class Reconstruct(Case):
         patch = self.folder / "patch.yaml"
         patch.write_text("id: 1\ncrs: EPSG:25832\nheight_range: [229, 280]\norientation: opk.csv\n"
                          f"cameras: cameras.yaml\nimages: [path: {SAMPLE}/left.tif, path: {SAMPLE}/right.tif]\n")
-        with self.assertWarnsRegex(UserWarning, "opk.csv: .*Decided: angles in deg "):
+        with self.assertWarnsRegex(UserWarning, "opk.csv: .*Determined: angles in deg "):
             lines = ridgeline.reconstruct(patch, method="direct")
         self.assertEqual(len(lines), len(ridgeline.reconstruct(PATCH, method="direct")))
         (self.folder / "opk.csv").unlink()
@@ -178,7 +178,7 @@ class Reconstruct(Case):
 
     def test_views_in_memory_show_a_roof_where_it_is(self):
         views = [house_from_above(x_m) for x_m in (-15.0, 15.0)]
-        with self.assertWarnsRegex(UserWarning, "views: .* show only 4 points"):  # of a house without texture
+        with self.assertWarnsRegex(UserWarning, "views: .* have only 4 tie points"):  # of a house without texture
             lines = ridgeline.reconstruct(views, (-2.0, 12.0), crs="EPSG:25832")
         self.assertEqual(lines.crs, "EPSG:25832")
         for x_m, z_m in ((0.0, RIDGE_M), (-HALF_WIDTH_M, EAVES_M), (HALF_WIDTH_M, EAVES_M)):
@@ -200,7 +200,7 @@ class Reconstruct(Case):
             with self.assertRaisesRegex(ValueError, rule), warnings.catch_warnings():
                 warnings.simplefilter("ignore")
                 ridgeline.reconstruct([ridgeline.View(image, m, id="a") for m in matrices], heights)
-        with self.assertRaisesRegex(ValueError, "height_range_m: must be given"):
+        with self.assertRaisesRegex(ValueError, "height_range_m: is required"):
             ridgeline.reconstruct([])
         with self.assertRaisesRegex(TypeError, "must be View objects"):
             ridgeline.reconstruct([(image, matrix)] * 2, (0, 10))

@@ -89,7 +89,7 @@ test('another figure has other fills and another legend', async () => {
   // with all lines the shades stand at the rims
   await page.getByLabel('Lines', { exact: true }).selectOption('all');
   assert.ok((await fills(page)).every((fill) => fill === 'none'));
-  assert.match(await page.locator('#lines-shown').innerText(), /All \d+ lines are in this plan/);
+  assert.match(await page.locator('#lines-shown').innerText(), /All \d+ lines are shown/);
   await page.getByLabel('LIDAR heights').check();
   const grey = await page.locator('canvas.relief').evaluate((c) => c.getContext('2d').getImageData(0, 0, c.width, c.height).data.some((v) => v > 0));
   assert.ok(grey);

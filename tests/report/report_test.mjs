@@ -75,15 +75,15 @@ test('opens on the product method with the figure that counts, a plan and the wo
   const n = figures.reduce((sum, r) => sum + r.n_evaluated, 0);
   const rms = Math.sqrt(figures.reduce((sum, r) => sum + r.rms_m ** 2 * r.n_evaluated, 0) / n);
   assert.equal(await page.locator('#key-figure .value').innerText(), `${metres(rms)} m`);
-  assert.match(await page.locator('#verdict').innerText(), /^No specification was given/);
+  assert.match(await page.locator('#verdict').innerText(), /^No acceptance limits were given/);
   const lines = readJson('demo', rows[0].patch, 'evaluation.joint.json').lines;
   const worst = lines.filter((l) => l.mean_distance_m !== null && ['plan', 'images'].includes(l.decided_by)).sort((a, b) => b.mean_distance_m - a.mean_distance_m);
   const captions = await textOf(page, '#worst figcaption');
   const total = headlineOf(readJson('demo', rows[0].patch, 'evaluation.joint.json').summary.total);
   assert.equal(captions.length, Math.max(5, Math.min(12, total.n_half_of_squares)));
   assert.equal(await page.locator('#half-of-squares').innerText(),
-    `${total.n_half_of_squares} of ${total.n_evaluated} lines make half of the sum of squares; RMS of the others ${metres(total.rms_without_half_m)} m.`
-    + (total.n_half_of_squares > captions.length ? ` The first ${captions.length} are here.` : ''));
+    `${total.n_half_of_squares} of ${total.n_evaluated} lines contribute half of the sum of squares; RMS of the others ${metres(total.rms_without_half_m)} m.`
+    + (total.n_half_of_squares > captions.length ? ` Shown: the first ${captions.length}.` : ''));
   // they come first in the list of all lines as well
   const first = await page.locator('#line-table tbody tr').evaluateAll((all) => all.map((row) => [Number(row.dataset.line), row.className]));
   assert.deepEqual(first.slice(0, total.n_half_of_squares), worst.slice(0, total.n_half_of_squares).map((l) => [lines.indexOf(l), 'half']));
@@ -140,7 +140,7 @@ test('lines name their surface, and those that the place decided on stand beside
   const place = rms(judged.slice(0, 1));
   assert.equal(await page.locator('#key-figure .value').innerText(), `${rms(judged.slice(1))} m`);
   const about = await page.locator('#key-figure').innerText();
-  assert.ok(about.includes(`points or the place decided on 1 more line, RMS ${place} m; all together ${rms(judged)} m.`), about);
+  assert.ok(about.includes(`1 more line decided by points or position, RMS ${place} m; all together ${rms(judged)} m.`), about);
   assert.ok((await page.locator('#table2 td').last().innerText()).includes(`+ ${place} 1/${evaluation.lines.length}`));
   const classes = await textOf(page, '#statistics tbody td:first-child');
   assert.deepEqual(classes.slice(-3), ['total plan images', 'total points place', 'total all']);
@@ -516,7 +516,7 @@ test('a report without lines', async () => {
   ridgeline('evaluate', '--lines', geoJson('none.geojson', []), '--cloud', join(samples, '1/lidar.las'), '--out', join(work, 'no_lines'));
   const page = await openReport('no_lines');
   assert.equal(await page.locator('#line-table tbody tr').count(), 0);
-  assert.match(await page.locator('#charts').innerText(), /nothing to draw/);
+  assert.match(await page.locator('#charts').innerText(), /No line was evaluated/);
   assert.ok(!(await page.locator('body').innerText()).match(/NaN|undefined|null/));
   await shot(page, 'no-lines');
   await close(page);
@@ -576,7 +576,7 @@ test('a report made later, when the data is gone, says what is missing', async (
   renameSync(patch, `${patch}.gone`);
   ridgeline('report', results);
   const page = await openReport('moved');
-  assert.match((await textOf(page, '.note')).join(' '), /moved\.yaml: is no longer there/);
+  assert.match((await textOf(page, '.note')).join(' '), /moved\.yaml: no longer exists/);
   assert.ok((await page.locator('#line-table tbody tr').count()) > 100);
   await close(page);
 });
@@ -770,7 +770,7 @@ test('the matches of any pair can be reviewed, and its export is a reference of 
     await page.locator('#image-choice select').selectOption(option);
   };
   await choosePair();
-  assert.match(await page.locator('#review').innerText(), /The matches are those of strip1 – cross2, which the run matched/);
+  assert.match(await page.locator('#review').innerText(), /These are the matches of strip1 – cross2, matched by the run/);
   await page.locator('#review-start').click();
   assert.deepEqual(await shownImages(page), ['image-2', 'image-4']);
   await page.keyboard.press('c');
@@ -790,7 +790,7 @@ test('the matches of any pair can be reviewed, and its export is a reference of 
   // tracks give matches of a pair that was not matched
   const joined = await page.locator('#image-choice option').evaluateAll((all) => all.find((o) => o.text.startsWith('strip2 – cross1')).value);
   await page.locator('#image-choice select').selectOption(joined);
-  assert.match(await page.locator('#review').innerText(), /strip2 – cross1, as tracks join them/);
+  assert.match(await page.locator('#review').innerText(), /strip2 – cross1, derived from tracks/);
   const tracks = await page.evaluate(() => globalThis.ridgeline.state.patch.images.tracks.filter((t) => [0, 3].every((v) => t.some((x, i) => i % 2 === 0 && x === v))).length);
   await page.locator('#review-start').click();
   assert.match(await page.locator('#review-match').innerText(), new RegExp(`^Match 1 of ${tracks}: segments \\d+ and \\d+\\. Judged`));
@@ -835,7 +835,7 @@ test('gates give the verdict', async () => {
   writeFileSync(gates, 'gates:\n  - {class: total, metric: rms_m, max: 0.001}\n');
   ridgeline('report', join(work, 'demo'), '--gates', gates);
   const page = await openReport('demo');
-  assert.match(await page.locator('#verdict').innerText(), /^Not accepted: 3 of 3 checks of the specification fail: /);
+  assert.match(await page.locator('#verdict').innerText(), /^Not accepted: 3 of 3 checks failed: /);
   assert.equal(await page.locator('#gates tbody tr').count(), 3);
   await close(page);
 });

@@ -3,12 +3,12 @@
 
     result = ridgeline.evaluate("roofs.gpkg", "tile.laz")
     print(result)                                # the table of accuracy
-    result.lines["mean_distance_m"]              # an array, one number a line
+    result.lines["mean_distance_m"]              # an array with one number per line
     result.to_geopackage("judged.gpkg")          # the map of errors
 
-Coordinates are those of the map, in the units of the files; distances are metres. A wrong value
-raises ValueError, a wrong file InputFileError (an OSError) or FileNotFoundError. Long calls release
-the GIL and stop at Ctrl-C.
+Coordinates are map coordinates in the units of the files; distances are metres. An invalid value
+raises ValueError, an invalid file InputFileError (an OSError) or FileNotFoundError. Long calls
+release the GIL and stop at Ctrl-C.
 """
 
 from ridgeline._core import InputFileError

@@ -38,7 +38,7 @@ def double_of(array: ArrayLike, name: str, *, strict: bool = False) -> NDArray[n
         largest = np.max(np.abs(given[np.isfinite(given)]), initial=0.0)
         step = float(np.spacing(given.dtype.type(largest)))
         if step > LARGEST_STEP_M:
-            message = f"{name}: {given.dtype} holds these numbers in steps of {step:g}; digits are lost, use float64"
+            message = f"{name}: {given.dtype} holds these numbers in steps of {step:g} and loses digits; use float64"
             if strict:
                 raise ValueError(message)
             warnings.warn(message, UserWarning, stacklevel=4)
@@ -46,10 +46,10 @@ def double_of(array: ArrayLike, name: str, *, strict: bool = False) -> NDArray[n
 
 
 def _plain(value: Any) -> Any:
-    """Turns NumPy's numbers into Python's, which JSON knows."""
+    """Converts NumPy numbers to Python numbers for JSON."""
     if isinstance(value, np.generic):
         return value.item()
-    raise TypeError(f"{value!r} is no number, text or list")
+    raise TypeError(f"{value!r} is not a number, string or list")
 
 
 def text_of(value: Any) -> str:
@@ -81,10 +81,10 @@ def config_entries(config: Config | None, judge: Mapping[str, Any] | None = None
 
 
 def new_file(path: Path, overwrite: bool) -> str:
-    """The path as text. Raises FileExistsError if something stands there, unless the user says so.
+    """The path as text. Raises FileExistsError if the path exists, unless `overwrite`.
     """
     if os.path.lexists(path) and not overwrite:
-        raise FileExistsError(f"{os.fspath(path)}: exists already; overwrite=True replaces it")
+        raise FileExistsError(f"{os.fspath(path)}: already exists; overwrite=True replaces it")
     return os.fspath(path)
 
 

@@ -20,7 +20,7 @@ class Cloud:
 
     points: a structured array (n,) with the fields x, y, z (float64, coordinates of the map in its
         units), intensity, classification (ASPRS: 2 ground, 6 building), return_number,
-        number_of_returns, flags, source_id. A part of it, `points[mask]`, makes a Cloud as well.
+        number_of_returns, flags, source_id. Index it with a mask, `points[mask]`, to get a subset.
     crs: the reference system, as WKT, code or PROJ string; "" if unknown.
     counts: numbers of points read and dropped, by reason.
     """
@@ -37,8 +37,8 @@ class Cloud:
 
     @classmethod
     def of(cls, xyz: ArrayLike, *, classification: ArrayLike = 0, crs: str = "") -> Cloud:
-        """A cloud of coordinates (n, 3), each the only return of its pulse; `classification`: (n,),
-        or one for all.
+        """A cloud from coordinates (n, 3), each the only return of its pulse; `classification`:
+        (n,), or one value for all.
         """
         x = double_of(xyz, "xyz")
         codes = np.asarray(classification)
@@ -92,16 +92,16 @@ def read_cloud(
     """Reads LAS, LAZ, COPC, PCD, PLY or text into one cloud.
 
     paths: a file, or several; patterns such as "tiles/*.laz" are expanded.
-    bounds: (x_min, y_min, x_max, y_max) in the coordinates of the files; of COPC only the nodes
+    bounds: (x_min, y_min, x_max, y_max) in the coordinates of the files; for COPC, only the nodes
         inside are decoded.
-    classes: ASPRS classes to keep; by default all but noise (7, 18).
-    include_withheld: keep points that their producer marked as not to be used.
-    last_returns: keep the last return of each pulse only.
-    max_resolution_m: read COPC down to this point distance only; 0: all.
-    max_points: refuse to keep more points than this; 0: no limit.
-    assume_crs: reference system of the files, whatever they state.
+    classes: ASPRS classes to keep; default: all but noise (7, 18).
+    include_withheld: keep points flagged as withheld.
+    last_returns: keep only the last return of each pulse.
+    max_resolution_m: read COPC only down to this point distance; 0: all.
+    max_points: largest number of points to keep; 0: no limit.
+    assume_crs: reference system of the files, overriding theirs.
     strict: refuse coordinates in steps above 0.025 m (float32, too few digits). salvage: read what
-    is left of a file cut short. Warns of what deserves attention. Raises FileNotFoundError,
+    is left of a truncated file. Warns about suspicious inputs. Raises FileNotFoundError,
     InputFileError and ValueError.
     """
     options = cloud_options(

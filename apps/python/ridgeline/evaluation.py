@@ -29,29 +29,28 @@ LinesLike = Path | Lines | ArrayLike
 
 
 class Result:
-    """What evaluate() found. print() shows the table of accuracy."""
+    """The result of evaluate(). print() shows the accuracy table."""
 
     def __init__(self, judged: _core.Judged) -> None:
         self._judged = judged
 
     @cached_property
     def lines(self) -> dict[str, Any]:
-        """Every line, in the order given: arrays (n,) by name, which pandas.DataFrame() takes as
-        they are.
+        """All lines in input order: arrays (n,) by name, ready for pandas.DataFrame().
 
-        id, line_class, kind: "step", "ridge" or "". status: "evaluated", or why not, with a reason.
-        surface: what the line is most probably an edge of: "upper", "lower", "ground", "ridge",
-        "object", with surface_probability; surface_other: what it is next to that; decided_by: the
-        evidence that the choice rests on, "plan", "images", "points", "place". "" and NaN where it
-        is not known.
+        id, line_class, kind: "step", "ridge" or "". status: "evaluated", or the cause why not, with
+            a reason.
+        surface: the most probable surface bounded by the line: "upper", "lower", "ground", "ridge",
+        "object", with surface_probability; surface_other: the second most probable one; decided_by:
+        the evidence that decided, "plan", "images", "points", "place". "" and NaN if unknown.
         flags, plane_ids: a list for each line.
         length_m, epipolar_angle_deg.
-        n_images: how many images support the line, NaN if its file does not say so; class_base:
-        with three images and more, the class by the base pair alone, else "".
-        mean_distance_m: the mean orthogonal distance from the planes beside the line;
+        n_images: number of images that support the line, NaN if unknown; class_base: with three or
+            more images, the class in the base pair only, else "".
+        mean_distance_m: the mean orthogonal distance from the adjacent planes;
             max_distance_m, signed_mean_m.
         sigma_plane_m, sigma_line_m: standard deviations of planes and line; z: the signed distance
-            over both.
+            divided by both.
         horizontal_m, vertical_m: the error of a ridge, across it in plan and in height.
         Distances are metres, and NaN for a line that was not evaluated.
         """
@@ -67,39 +66,39 @@ class Result:
 
     @cached_property
     def segments(self) -> NDArray[np.float64]:
-        """The lines (n, 2, 3) as they were judged: as given, or moved by apply_shift."""
+        """The judged lines (n, 2, 3): as given, or moved by apply_shift."""
         segments: NDArray[np.float64] = self._judged.segments()["segments"]
         return segments
 
     @cached_property
     def planes(self) -> list[dict[str, Any]]:
-        """The LIDAR planes that judged lines, a dict each.
+        """The LIDAR planes used for judging, one dict per plane.
 
         id; normal (3,), upwards, and offset_m: normal . x + offset_m = 0 in map coordinates,
-        metres; n_points and rms_m of its points; n_lines, how many lines it judged; outline (k, 3),
-        the hull of its points.
+        metres; n_points and rms_m of its points; n_lines, the number of lines judged against it;
+        outline (k, 3), the hull of its points.
         """
         return self._judged.planes()
 
     @cached_property
     def classes(self) -> dict[str, dict[str, Any]]:
-        """The figures of each class, "total" among them: n_lines, n_evaluated, rms_m, ci95_m,
+        """The figures of each class, including "total": n_lines, n_evaluated, rms_m, ci95_m,
         median_m, q95_m, ...
 
-        n_half_of_squares: how many lines, those farthest off, make half of the sum of squares;
-        rms_without_half_m: the RMS of the others. decided_by: the same figures of the lines that
-        plan and images decided on ("plan_images", the headline) and of those that points or the
-        place did ("points_place").
+        n_half_of_squares: number of the worst lines that contribute half of the sum of squares;
+        rms_without_half_m: the RMS of the others. decided_by: the same figures for lines whose
+            surface was chosen by plan and images ("plan_images", the headline) and by points or
+            place ("points_place").
         """
         figures: dict[str, dict[str, Any]] = self.to_dict()["summary"]
         return figures
 
     @cached_property
     def shift(self) -> dict[str, Any] | None:
-        """By how much all lines lie beside the LIDAR planes, None if no line was judged.
+        """The common shift of all lines from the LIDAR planes, None if no line was judged.
 
         axes: "x", "y" and "z" with shift_m and ci95_m, or None for an axis that the planes do not
-        tell. significant, likely_cause, applied, ... as in the file evaluation.METHOD.json
+        determine. significant, likely_cause, applied, ... as in the file evaluation.METHOD.json
         (docs/outputs.md).
         """
         shift: dict[str, Any] | None = self.to_dict()["shift"]
@@ -107,19 +106,19 @@ class Result:
 
     @cached_property
     def decoys(self) -> list[dict[str, Any]]:
-        """How many lines pass for right ones that were moved on purpose, a dict for each kind and
-        distance; empty for decoys=0.
+        """How many lines moved on purpose would pass as correct, one dict per kind and distance;
+        empty for decoys=0.
 
-        kind: "height", "across" or "match"; distance_m; n_lines, n_decoys; share: of the decoys,
-        those that come out within 0.2 m, with ci95; withheld_share: those that were not evaluated.
-        It does not say how many lines are wrong (docs/method.md).
+        kind: "height", "across" or "match"; distance_m; n_lines, n_decoys; share: the share of
+        decoys that pass within 0.2 m, with ci95; withheld_share: the share that was not evaluated.
+        It does not show how many lines are wrong (docs/method.md).
         """
         decoys: list[dict[str, Any]] = self.to_dict()["decoys"]
         return decoys
 
     @cached_property
     def buildings(self) -> list[dict[str, Any]]:
-        """The buildings of a model, a dict each; empty for other line files.
+        """The buildings of a model, one dict per building; empty for other line files.
 
         id, verdict, n_lines, n_judged_lines, rms_m, worst_line, worst_distance_m, n_faces, area_m2,
         ridge_height_m, ... as in the file buildings.csv (docs/models.md). The faces are in
@@ -136,7 +135,7 @@ class Result:
 
     @cached_property
     def warnings(self) -> list[str]:
-        """What deserves attention in the inputs."""
+        """Warnings about the inputs."""
         return self._judged.warnings()
 
     def to_dict(self) -> dict[str, Any]:
@@ -148,8 +147,8 @@ class Result:
         """Writes the map: the lines, coloured by distance, their planes and error vectors, with
         styles for QGIS.
 
-        schema: "plain" or "fkb". Raises FileExistsError unless overwrite. A file that evaluate()
-        was given by its path is never written over.
+        schema: "plain" or "fkb". Raises FileExistsError unless overwrite. An input file of
+            evaluate() is never overwritten.
         """
         self._judged.write_map(new_file(path, overwrite), schema)
 
@@ -208,40 +207,41 @@ def evaluate(
     bca: bool = False,
     **judge: float | str,
 ) -> Result:
-    """Judges 3D lines by the orthogonal distances from the LIDAR planes beside them, as `ridgeline
-    evaluate` does.
+    """Judges 3D lines by their orthogonal distances from adjacent LIDAR planes, like `ridgeline
+    evaluate`.
 
-    lines: a file of any tool (see read_lines()), Lines, or an array (n, 2, 3) or (n, 6), start and
-        end of each.
-    cloud: files or patterns (see read_cloud()), a Cloud, or an array (n, 3). Coordinates are those
-        of the map.
-    patch: a patch file, whose cameras class the lines as aligned and not_aligned and show where
-        their edges lie.
-    views, height_range_m: views in memory in place of a patch file, as for reconstruct().
-    reference_lines: true lines, given as `lines` are; they add errors, precision and completeness.
+    lines: a file of any tool (see read_lines()), Lines, or an array (n, 2, 3) or (n, 6) of start
+        and end.
+    cloud: files or patterns (see read_cloud()), a Cloud, or an array (n, 3). Coordinates are map
+        coordinates.
+    patch: a patch file, whose cameras classify lines as aligned or not_aligned and locate their
+        edges in the images.
+    views, height_range_m: views in memory instead of a patch file, as for reconstruct().
+    reference_lines: true lines, given as `lines` are; they add true errors, precision and
+        completeness.
     config: a file of `ridgeline config`, or a mapping {"judge": {...}}.
     bounds ... salvage: how the cloud is read, as for read_cloud(). vertex_pairs, lod: as for
         read_lines().
-    scale_to_ground: divide the plan by its scale at the data, as Web Mercator needs it; by default
-        a plan that is not true to scale is refused.
-    apply_shift: judge the lines without a shift that all have against the LIDAR planes, if it is
-        significant (Result.shift).
-    geoid: a geoid grid (.gtx, .tif) that explains a shift in height; by default what PROJ has.
-    decoys: to how many wrong places lines are moved and judged again (Result.decoys); by default
-        half as many as lines, at least 200 and at most 2,000; 0: none, and no check that the lines
-        fit better where they lie than elsewhere.
-    cloud_memory_mib: memory for points held at a time; with larger clouds, lines are judged in
-        batches of neighbours.
-    name: name of the patch in the tables; by default that of the patch file or the cloud.
-    max_aligned_angle_deg: lines up to this angle to the epipolar line are aligned; by default that
-        of config, or 10.
-    gross_m: a line farther off is a gross error. sigma_sys_m: systematic part of the cloud's
-        accuracy.
-    bootstrap_replicates, bootstrap_seed, bca: how the bootstrap computes the 95 % intervals.
+    scale_to_ground: divide plan coordinates by the local map scale, as needed for Web Mercator; by
+        default, data that are not true to scale are refused.
+    apply_shift: remove a significant common shift between lines and LIDAR planes before judging
+        (Result.shift).
+    geoid: a geoid grid (.gtx, .tif) for explaining a height shift; default: grids of PROJ.
+    decoys: number of lines to move on purpose and judge again (Result.decoys); default: half the
+        number of lines, at least 200 and at most 2,000; 0: none, and no check that the lines fit
+        better in place than elsewhere.
+    cloud_memory_mib: memory for points; larger clouds are processed in batches of neighbouring
+        lines.
+    name: name of the patch in the tables; default: that of the patch file or the cloud.
+    max_aligned_angle_deg: largest angle to the epipolar line of aligned lines; default: that of
+        config, or 10.
+    gross_m: distance above which a line is a gross error. sigma_sys_m: systematic part of the
+        accuracy of the cloud.
+    bootstrap_replicates, bootstrap_seed, bca: bootstrap of the 95 % intervals.
     judge: parameters of the judge by their names in `ridgeline config`: lidar_sigma_m (range noise
         of the cloud), corridor_half_width_m, inlier_distance_m, min_points, seed, ...
-    Arrays must not be changed meanwhile. Warns of what deserves attention in the inputs. Raises
-    FileNotFoundError, InputFileError, and ValueError or TypeError for an impossible value.
+    Arrays must not change during the call. Warns about suspicious inputs. Raises
+    FileNotFoundError, InputFileError, and ValueError or TypeError for an invalid value.
     """
     for option in judge:
         if option not in _core.judge_options:
@@ -278,7 +278,7 @@ def evaluate(
     }
     if views is not None:
         if patch is not None:
-            raise ValueError("patch, views: both are given; must be one of them")
+            raise ValueError("patch, views: both are given; give only one")
         options |= view_entries(views, height_range_m)
     points: Any
     if isinstance(cloud, np.ndarray) and cloud.dtype == _core.point_dtype:

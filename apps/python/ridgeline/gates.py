@@ -15,7 +15,7 @@ from ridgeline.evaluation import Result
 
 
 def _text_of_gates(gates: Mapping[str, Any]) -> str:
-    """The gates as text with the i-th entry on the i-th line, so that a fault can be found."""
+    """The gates as text with the i-th entry on the i-th line, for locating errors."""
     entries = ",\n".join(text_of(gate) for gate in gates.get("gates", ()))
     others = "".join(f", {text_of(key)}: {text_of(value)}" for key, value in gates.items() if key != "gates")
     return f'{{"gates": [{entries}]{others}}}'
@@ -23,9 +23,9 @@ def _text_of_gates(gates: Mapping[str, Any]) -> str:
 
 @dataclass(frozen=True)
 class GateReport:
-    """The verdicts. True if every gate passed; a gate that checked nothing has not passed.
+    """The verdicts. True if all gates passed; a gate without a figure fails.
 
-    gates: a dict for each rule and figure: rule, patch, method, class, metric, value, limit,
+    gates: one dict per rule and figure: rule, patch, method, class, metric, value, limit,
         verdict, explanation, ...
     junit: JUnit XML. markdown: for the page of a CI job. text: what print() shows, in aligned
         columns.
@@ -51,15 +51,14 @@ def gate(
     *,
     baseline: Path | None = None,
 ) -> GateReport:
-    """Checks figures against limits, as `ridgeline gate` does.
+    """Checks figures against limits, like `ridgeline gate`.
 
-    results: what evaluate() returned, or the folder that evaluate, run or Result.write() wrote.
+    results: a result of evaluate(), or a results folder of evaluate, run or Result.write().
     gates: a gates file (docs/gates.md), or its entries: [{"class": "total", "metric": "rms_m",
         "max": 0.3}, ...].
-    baseline: folder of an earlier run on the same data, for gates that refer to it; results must
-        then be a folder as well. Both must have been judged from files: a run on arrays records no
-        hash of its data.
-    Raises ValueError for a gate that cannot decide, FileNotFoundError and InputFileError.
+    baseline: results folder of an earlier run on the same data, for gates that refer to it; results
+    must then also be a folder. Both must have been judged from files, as a run on arrays records no
+    hash of its data. Raises ValueError for an invalid gate, FileNotFoundError and InputFileError.
     """
     file = text = ""
     if isinstance(gates, (str, os.PathLike)):

@@ -21,21 +21,20 @@ TEXTS = ("ids", "line_class", "status", "method", "kind", "building")
 
 @dataclass(eq=False, repr=False)
 class Lines:
-    """3D line segments with what is known of them; what is not known is None, "" or NaN.
+    """3D line segments with their attributes; unknown ones are None, "" or NaN.
 
-    Texts are arrays (n,), so that `lines[lines.status == "joint"]` makes Lines of a part.
+    Text attributes are arrays (n,); `lines[lines.status == "joint"]` is a subset.
 
-    segments: (n, 2, 3), start and end, coordinates of the map in its units; (n, 6) is taken as
-        well.
+    segments: (n, 2, 3), start and end in map coordinates; also accepts (n, 6).
     ids: by default "0", "1", ...
     line_class: "aligned" (within 10 degrees of the epipolar line) or "not_aligned"; lines of any
-        other class count in the figures of "total" alone.
-    status: how a reconstructed line came about; one without geometry has NaN coordinates.
+        other class only count in the figures of "total".
+    status: how a line was determined; lines without geometry have NaN coordinates.
     method, kind, building: as in the files (docs/files.md).
     epipolar_angle_deg: (n,), degrees.
     covariance_m2: (n, 6, 6), of (start, end), square metres.
-    left_px, right_px: (n, 2, 2), the segments in both images that a line was made from, pixels.
-    crs: the reference system; "" if unknown: that of the cloud.
+    left_px, right_px: (n, 2, 2), the segments of a line in both images, pixels.
+    crs: the reference system; "": unknown, that of the cloud is assumed.
     """
 
     segments: NDArray[np.float64]
@@ -63,7 +62,7 @@ class Lines:
     def __getitem__(self, index: Any) -> Lines:
         """The lines of a mask, a slice or an array of indices."""
         if isinstance(index, (int, np.integer)):
-            raise TypeError("lines[i] makes Lines of a part; one line is lines[[i]]")
+            raise TypeError("lines[i] must be a mask, slice or list; a single line is lines[[i]]")
         part: dict[str, Any] = {"crs": self.crs}
         for name in (f.name for f in fields(self) if f.name != "crs"):
             values = getattr(self, name)
@@ -82,12 +81,12 @@ class Lines:
 
 
 def _texts(texts: Any, name: str) -> NDArray[np.str_]:
-    """An array of texts, one for each line; numbers become texts."""
+    """An array of strings, one per line; numbers are converted."""
     if isinstance(texts, (str, bytes)):
-        raise TypeError(f"{name}: {texts!r}, must be a list of texts, one for each line")
+        raise TypeError(f"{name}: {texts!r}, must be a list of strings, one per line")
     given = list(texts)
     if any(text is None or isinstance(text, bytes) for text in given):
-        raise TypeError(f"{name}: None or bytes among the texts; must be texts or numbers")
+        raise TypeError(f"{name}: contains None or bytes; must be strings or numbers")
     return np.array([str(text) for text in given], dtype=np.str_)
 
 
@@ -112,9 +111,9 @@ def read_lines(path: Path, *, assume_crs: str = "", vertex_pairs: bool = False, 
     """Reads the 3D lines of any tool: GeoJSON, GeoPackage, Shapefile, DXF, WKT, CSV, OBJ, PLY,
     Line3D++, LIMAP, ELSR.
 
-    Polylines become segments. assume_crs: reference system, whatever the file states. vertex_pairs:
-    an OBJ's vertices two by two are the lines. Warns of what deserves attention. Raises
-    FileNotFoundError and InputFileError.
+    Polylines become segments. assume_crs: reference system, overriding that of the file.
+    vertex_pairs: read every two consecutive vertices of an OBJ as a line. Warns about suspicious
+    inputs. Raises FileNotFoundError and InputFileError.
     """
     entries = _core.read_lines(os.fspath(path), assume_crs, vertex_pairs, lod)
     warn(entries["warnings"])
@@ -122,11 +121,11 @@ def read_lines(path: Path, *, assume_crs: str = "", vertex_pairs: bool = False, 
 
 
 def write_lines(path: Path, lines: Lines | ArrayLike, *, format: str | None = None, overwrite: bool = False) -> int:
-    """Writes lines with their attributes. Returns the number of lines left out because they have no
+    """Writes lines with their attributes. Returns the number of lines skipped because they have no
     geometry.
 
-    format: a name that `ridgeline reconstruct --help` lists; by default the ending of the path
-    tells it. Raises FileExistsError unless overwrite.
+    format: a name that `ridgeline reconstruct --help` lists; default: by the extension of the path.
+        Raises FileExistsError unless overwrite.
     """
     given = lines if isinstance(lines, Lines) else Lines(segments_of(lines))
     name = format or _format_of(os.fspath(path))
@@ -139,4 +138,4 @@ def _format_of(path: str) -> str:
         if extension == ending and name != "wkt_csv":
             return name
     known = ", ".join(extension for _, extension in _core.line_formats)
-    raise ValueError(f"{path}: lines are not written to this ending; must be one of {known}")
+    raise ValueError(f"{path}: unknown extension; must be one of {known}")

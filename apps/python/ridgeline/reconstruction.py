@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""3D lines of oriented images."""
+"""3D lines from oriented images."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ class View:
     """An oriented image without distortion.
 
     image: (height, width) or (height, width, bands), uint8 or uint16, 1 to 4 bands.
-    matrix: (3, 4), takes homogeneous map coordinates (x, y, z, 1) to homogeneous pixels (column,
-        row, 1). The middle of the top-left pixel is (0, 0).
+    matrix: (3, 4), projects homogeneous map coordinates (x, y, z, 1) to homogeneous pixels (column,
+        row, 1). The centre of the top-left pixel is (0, 0).
     id: name of the view in messages.
     """
 
@@ -37,7 +37,7 @@ class View:
 def view_entries(views: Sequence[View], height_range_m: Sequence[float] | None) -> dict[str, Any]:
     """Cameras and heights for the extension module."""
     if height_range_m is None:
-        raise ValueError("height_range_m: must be given beside views")
+        raise ValueError("height_range_m: is required with views")
     given = list(views)
     if not all(isinstance(view, View) for view in given):
         raise TypeError("views: must be View objects, View(image, matrix)")
@@ -57,21 +57,21 @@ def reconstruct(
     config: Config | None = None,
     crs: str = "",
 ) -> Lines:
-    """Reconstructs the 3D lines that two oriented images show, as `ridgeline reconstruct` does.
+    """Reconstructs the 3D lines of two oriented images, like `ridgeline reconstruct`.
 
-    views: two views, the first is the base image; or a patch file, which has heights and reference
-        system as well.
+    views: two views, the first is the base image; or a patch file, which includes heights and
+        reference system.
     height_range_m: lowest and highest height of objects, in metres of the map.
     method: "lines" (the default, except with "published"): those of "network", and the ridges, hips
-        and valleys that no edge shows ("planes"); "direct" and "joint" (the default with
+        and valleys without a visible edge ("planes"); "direct" and "joint" (the default with
         "published") are those of the papers.
-    preset: "default" (the best known) or "published" (the papers').
+    preset: "default" (best-performing settings) or "published" (the papers' method).
     matchers: "pairwise", "chio" or both. config: a file of `ridgeline config`, or a mapping
         {"match": {...}, ...}.
-    crs: reference system of the matrices, for the lines. Warns if the images show too little to
-    check their cameras, and raises if they do not fit them. Returns lines with class, status,
-    covariance and image segments; NaN coordinates where the images do not tell the depth. Raises
-    ValueError, and for files FileNotFoundError and InputFileError.
+    crs: reference system of the matrices, for the lines. Warns if there are too few tie points to
+    check the cameras; raises if images and cameras do not match. Returns lines with class, status,
+    covariance and image segments; NaN coordinates where the images do not determine the depth.
+    Raises ValueError, and for files FileNotFoundError and InputFileError.
     """
     options: dict[str, Any] = {
         "matchers": [matchers] if isinstance(matchers, str) else list(matchers),
@@ -82,7 +82,7 @@ def reconstruct(
         options["method"] = method
     if isinstance(views, (str, os.PathLike)):
         if height_range_m is not None or crs:
-            raise ValueError("height_range_m, crs: the patch file states them; do not give them as well")
+            raise ValueError("height_range_m, crs: are defined by the patch file; do not give them")
         found = _core.reconstruct_patch(os.fspath(views), options)
     else:
         options |= view_entries(views, height_range_m)

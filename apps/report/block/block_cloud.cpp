@@ -20,9 +20,9 @@ void refuse_changed(const JudgingCloud& cloud) {
   io::require_regular_file(cloud.path);
   const std::uintmax_t bytes = std::filesystem::file_size(cloud.path);
   if (bytes == cloud.bytes) return;
-  throw io::IoError(cloud.path, fmt::format("has changed since the block was judged: {} bytes, it "
-                                            "had {}",
-                                            bytes, cloud.bytes));
+  throw io::IoError(cloud.path,
+                    fmt::format("has changed since the block was judged: {} bytes instead of {}",
+                                bytes, cloud.bytes));
 }
 
 Eigen::AlignedBox3d box_of(const BlockFolder& block) {

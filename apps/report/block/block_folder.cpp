@@ -68,7 +68,7 @@ class PatchRows {
       const auto found = number_of.find(std::string(text(row, "patch")));
       if (found == number_of.end()) {
         throw io::IoError(table_.place_of(row),
-                          "is of a patch that plan.json does not have; merge the block again");
+                          "belongs to a patch that is not in plan.json; merge the block again");
       }
       ShownPatch& patch = block.patches[found->second];
       patch.reason = text(row, "reason");
@@ -184,8 +184,7 @@ BlockFolder read_block_folder(const fs::path& folder) {
   try {
     return read_folder(fs::absolute(folder).lexically_normal());
   } catch (const Json::exception& error) {
-    throw io::IoError(folder.string(),
-                      fmt::format("a file of its results is damaged: {}", error.what()));
+    throw io::IoError(folder.string(), fmt::format("a results file is damaged: {}", error.what()));
   }
 }
 

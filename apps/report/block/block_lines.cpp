@@ -21,7 +21,7 @@ std::uint8_t Words::number_of(const std::string& word) {
   const auto found = std::ranges::find(words_, word);
   const auto number = static_cast<std::size_t>(found - words_.begin());
   check(number <= std::numeric_limits<std::uint8_t>::max(), "a column of the map holds ",
-        words_.size(), " different words, must be at most 256");
+        words_.size(), " different values, must be at most 256");
   if (found == words_.end()) words_.push_back(word);
   return static_cast<std::uint8_t>(number);
 }

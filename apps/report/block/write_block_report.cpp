@@ -36,7 +36,7 @@ void remove_pages_but(const results::OutputFolder& out, const std::set<std::stri
 
 BlockCloud cloud_of(BlockFolder& block) {
   if (block.clouds.empty()) {
-    block.notes.emplace_back("no LIDAR: lines are shown, but not judged");
+    block.notes.emplace_back("no LIDAR: lines are shown but not judged");
     return {};
   }
   try {

@@ -6,8 +6,8 @@
 namespace ridgeline::io::laz {
 
 void ByteStream::throw_end(std::size_t needed) const {
-  throw CodecError(
-      fmt::format("compressed data end {} bytes too early", needed - (bytes_.size() - position_)));
+  throw CodecError(fmt::format("the compressed data are {} bytes too short",
+                               needed - (bytes_.size() - position_)));
 }
 
 }  // namespace ridgeline::io::laz

@@ -26,7 +26,7 @@ std::uint64_t table_offset(std::span<const std::byte> file, const LasHeader& hea
   if (offset < 0 || static_cast<std::uint64_t>(offset) < first ||
       static_cast<std::uint64_t>(offset) > file.size() - kTableHeaderSize) {
     throw CodecError(
-        fmt::format("the chunk table is said to lie at byte {} of {}", offset, file.size()));
+        fmt::format("the chunk table should start at byte {} of {}", offset, file.size()));
   }
   return static_cast<std::uint64_t>(offset);
 }
@@ -52,24 +52,23 @@ void check_count(std::uint64_t n_chunks,
 
 void check_size(const Chunk& chunk, std::size_t index, std::uint64_t end, const LasHeader& header) {
   if (chunk.n_bytes == 0 || chunk.n_bytes > end - chunk.offset) {
-    throw CodecError(fmt::format("chunk {} is said to have {} bytes from byte {} of {}", index,
+    throw CodecError(fmt::format("chunk {} should have {} bytes from byte {} of {}", index,
                                  chunk.n_bytes, chunk.offset, end));
   }
   if (chunk.n_points > header.n_points - chunk.first_record) {
-    throw CodecError(fmt::format("chunk {} is said to hold {} points, {} are left of {}", index,
-                                 chunk.n_points, header.n_points - chunk.first_record,
+    throw CodecError(fmt::format("chunk {} should hold {} points, but only {} are left of {}",
+                                 index, chunk.n_points, header.n_points - chunk.first_record,
                                  header.n_points));
   }
   if (!may_hold(chunk.n_bytes, chunk.n_points)) {
-    throw CodecError(fmt::format("chunk {} is said to hold {} points; its {} bytes cannot", index,
+    throw CodecError(fmt::format("chunk {} should hold {} points, but its {} bytes cannot", index,
                                  chunk.n_points, chunk.n_bytes));
   }
   if (chunk.n_points > kMaxChunkPoints ||
       std::uint64_t{chunk.n_points} * header.record_length > kMaxChunkBytes) {
-    throw CodecError(
-        fmt::format("chunk {} is said to hold {} points of {} bytes; the limits are {} "
-                    "points and {} bytes",
-                    index, chunk.n_points, header.record_length, kMaxChunkPoints, kMaxChunkBytes));
+    throw CodecError(fmt::format(
+        "chunk {} should hold {} points of {} bytes; the limits are {} points and {} bytes", index,
+        chunk.n_points, header.record_length, kMaxChunkPoints, kMaxChunkBytes));
   }
 }
 
@@ -109,7 +108,7 @@ std::vector<Chunk> read_chunk_table(std::span<const std::byte> file,
     }
   }
   if (chunk.first_record != header.n_points) {
-    throw CodecError(fmt::format("the chunks hold {} points; the header says {}",
+    throw CodecError(fmt::format("the chunks hold {} points, but the header has {}",
                                  chunk.first_record, header.n_points));
   }
   return chunks;

@@ -68,7 +68,7 @@ std::vector<CopcNode> read_pages(std::span<const std::byte> file, Page root) {
   for (std::size_t i = 0; i < pages.size(); ++i) {
     const auto [offset, n_bytes] = pages[i];
     if (offset > file.size() || n_bytes > file.size() - offset || n_bytes % kEntrySize != 0) {
-      throw CodecError(fmt::format("COPC page at byte {} is said to have {} bytes of {}", offset,
+      throw CodecError(fmt::format("COPC page at byte {} should have {} bytes of {}", offset,
                                    n_bytes, file.size()));
     }
     if (n_bytes > n_left) throw CodecError("COPC pages overlap");

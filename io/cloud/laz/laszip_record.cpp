@@ -62,9 +62,9 @@ Item read_item(const std::byte* entry, std::size_t index, const std::string& pat
                                     rule->name, item.size, kMaxExtraBytes));
   }
   if (item.version < rule->min_version || item.version > rule->max_version) {
-    throw IoError(
-        path, fmt::format("LASzip item {} has version {}; this program knows {} to {}", rule->name,
-                          item.version, rule->min_version, rule->max_version));
+    throw IoError(path,
+                  fmt::format("LASzip item {} has version {}; supported are {} to {}", rule->name,
+                              item.version, rule->min_version, rule->max_version));
   }
   return item;
 }
@@ -112,9 +112,10 @@ void check_items(const LaszipRecord& laszip, const LasHeader& header, const std:
     expected.push_back(header.point_format >= 6 ? ItemType::kByte14 : ItemType::kByte);
   }
   if (size != header.record_length || types != expected) {
-    throw IoError(path, fmt::format("LASzip items are {} ({} bytes); they must make up records of "
-                                    "point format {} ({} bytes)",
-                                    names, size, header.point_format, header.record_length));
+    throw IoError(
+        path,
+        fmt::format("LASzip items are {} ({} bytes); they must match point format {} ({} bytes)",
+                    names, size, header.point_format, header.record_length));
   }
   const bool layered = laszip.compressor == Compressor::kLayered;
   if (layered != (header.point_format >= 6)) {
@@ -130,8 +131,8 @@ std::span<const std::byte> find_payload(std::span<const std::byte> file,
   const std::optional<LasVlr> vlr = find_vlr(header, "laszip encoded", 22204);
   if (!vlr) {
     throw IoError(path,
-                  "point format is marked as LAZ, but there is no LASzip record (user id "
-                  "\"laszip encoded\", id 22204); it tells how the points are compressed");
+                  "point format is marked as LAZ, but the LASzip record (user id \"laszip "
+                  "encoded\", id 22204) that describes the compression is missing");
   }
   if (vlr->data_size < kFixedSize) {
     throw IoError(path, fmt::format("LASzip record at byte {} has {} bytes; must have at least {}",

@@ -20,10 +20,10 @@ constexpr std::size_t kPortion = 1024;  // records decoded at once, some ten KiB
 // Refuses a count that the bytes cannot hold, before anything depends on it.
 void check_count(std::uint64_t n_points, std::uint64_t n_bytes, const std::string& path) {
   if (!may_hold(n_bytes, n_points)) {
-    throw IoError(path,
-                  fmt::format("header says {} points; {} bytes of compressed data cannot hold "
-                              "as many",
-                              n_points, n_bytes));
+    throw IoError(
+        path, fmt::format(
+                  "the header has {} points, but {} bytes of compressed data cannot hold that many",
+                  n_points, n_bytes));
   }
 }
 
@@ -38,9 +38,11 @@ LazPoints::LazPoints(std::span<const std::byte> file, const LasHeader& header, s
       return;
     } catch (const CodecError& error) {
       if (laszip_.has_variable_chunks()) {
-        throw IoError(path_, fmt::format("chunk table cannot be used: {}; chunks of varying size "
-                                         "cannot be found without it",
-                                         error.what()));
+        throw IoError(
+            path_,
+            fmt::format(
+                "chunk table cannot be used: {}; it is needed to locate chunks of varying size",
+                error.what()));
       }
       warnings_.push_back(
           fmt::format("chunk table cannot be used: {}; the chunks are decoded one "

@@ -37,16 +37,15 @@ struct ReconstructOptions {
 
   static constexpr auto fields() {
     using O = ReconstructOptions;
-    return std::tuple{
-        Field{"max_aligned_angle_deg", &O::max_aligned_angle_deg, 0.0, 90.0,
-              "largest angle to the epipolar line of the class aligned"},
-        Field{"sigma_distance_px", &O::sigma_distance_px, 1e-3, 1e4,
-              "weight of a point: scale of the distance of its two segments"},
-        Field{"sigma_epipolar_px", &O::sigma_epipolar_px, 1e-3, 1e4,
-              "weight of a point: scale of its distance to the epipolar line"},
-        Field{"min_pair_angle_deg", &O::min_pair_angle_deg, 0.0, 90.0,
-              "weight of a point: 0 up to this angle of its two segments"},
-        Field{"min_weight", &O::min_weight, 0.0, 1.0, "points up to this weight are discarded"}};
+    return std::tuple{Field{"max_aligned_angle_deg", &O::max_aligned_angle_deg, 0.0, 90.0,
+                            "maximum angle of class aligned to the epipolar line"},
+                      Field{"sigma_distance_px", &O::sigma_distance_px, 1e-3, 1e4,
+                            "weight of a point: sigma of the distance of its two segments"},
+                      Field{"sigma_epipolar_px", &O::sigma_epipolar_px, 1e-3, 1e4,
+                            "weight of a point: sigma of its distance from the epipolar line"},
+                      Field{"min_pair_angle_deg", &O::min_pair_angle_deg, 0.0, 90.0,
+                            "weight of a point: 0 below this angle between its two segments"},
+                      Field{"min_weight", &O::min_weight, 0.0, 1.0, "minimum weight of a point"}};
   }
 };
 

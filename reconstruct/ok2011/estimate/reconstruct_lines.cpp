@@ -222,9 +222,9 @@ void check_input(const TrackedSegments& tracked,
   }
   validate(options);
   check(!has_lines_of_planes(options.method), "reconstruct_lines: method = ", name(options.method),
-        ", whose lines are not of tracks alone; see plane_lines()");
+        ", whose lines do not only come from tracks; see plane_lines()");
   check(options.method != Method::kNetwork || beyond.network,
-        "reconstruct_lines: method = network, which goes beyond the paper and needs its extension");
+        "reconstruct_lines: method = network, which is not a method of the paper");
 }
 
 }  // namespace

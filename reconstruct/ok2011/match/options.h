@@ -34,27 +34,28 @@ struct MatchOptions {
     using O = MatchOptions;
     return std::tuple{
         Field{"first_pair_radius_px", &O::first_pair_radius_px, 1.0, 1e4,
-              "search radius of line pairs to start with"},
+              "initial search radius of line pairs"},
         Field{"max_pair_radius_px", &O::max_pair_radius_px, 1.0, 1e4,
-              "up to where the radius grows for a segment with few partners"},
-        Field{"min_partners", &O::min_partners, 1, 1000, "partners at which the radius is kept"},
-        Field{"max_partners", &O::max_partners, 1, 1000, "nearest partners used per segment"},
+              "maximum search radius for a segment with few partners"},
+        Field{"min_partners", &O::min_partners, 1, 1000,
+              "number of partners at which the radius stops growing"},
+        Field{"max_partners", &O::max_partners, 1, 1000,
+              "maximum number of nearest partners per segment"},
         Field{"min_pair_angle_deg", &O::min_pair_angle_deg, 0.1, 89.0,
-              "smallest angle enclosed by a pair"},
+              "minimum angle between the lines of a pair"},
         Field{"max_pair_turn_deg", &O::max_pair_turn_deg, 0.0, 90.0,
-              "largest difference of the enclosed angle between the images; more beyond a base to "
-              "height "
-              "ratio of 0.26, in proportion"},
+              "maximum difference of this angle between the images; grows in proportion above a "
+              "base-to-height ratio of 0.26"},
         Field{"max_pair_epipolar_px", &O::max_pair_epipolar_px, 0.0, 100.0,
-              "largest distance of a pair's intersection point from its epipolar line"},
+              "maximum distance of the intersection of a pair from its epipolar line"},
         Field{"max_distance_ratio", &O::max_distance_ratio, 0.0, 1.0,
-              "next to best mate of a line, by probability; above it the line is ambiguous"},
-        Field{"min_probability", &O::min_probability, 0.0, 1.0,
-              "smallest probability of a match that is kept"},
+              "maximum probability ratio of the second-best and best candidates; above, the line "
+              "is ambiguous"},
+        Field{"min_probability", &O::min_probability, 0.0, 1.0, "minimum probability of a match"},
         Field{"min_votes", &O::min_votes, 0.0, 100.0,
-              "least votes from pairs of a match whose partners are matched"},
+              "minimum votes from pairs for a match with matched partners"},
         Field{"min_isolated_probability", &O::min_isolated_probability, 0.0, 1.0,
-              "smallest probability of a match without matched partners"}};
+              "minimum probability of a match without matched partners"}};
   }
 };
 

@@ -45,7 +45,7 @@ TEST(FindImagePoints, ScalesFilesOfAnotherSizeThanTheCamera) {
   ASSERT_EQ(orientation.decisions.size(), 1U);
   // a pixel of the files is twelve of the camera
   EXPECT_THAT(orientation.decisions[0],
-              HasSubstr("Decided: angles in deg (with angles in deg rays meet to 2"));
+              HasSubstr("Determined: angles in deg (with angles in deg rays intersect within 2"));
 }
 
 TEST(FindImagePoints, FindsNoneWhereImagesAreMissing) {

@@ -132,7 +132,7 @@ TEST(ReasonTooLittleKnown, IsAPlaneKnownLessWellThanThreePointsWouldTell) {
   // at the border of a strip n points tell as much as n / 4 at the place: 1/n + (w/2)^2 / (n
   // w^2/12) = 4/n
   EXPECT_FALSE(reason(13));
-  EXPECT_EQ(reason(11), "its plane is known to 0.0205 m at the line, must be known to 0.0196 m");
+  EXPECT_EQ(reason(11), "the sigma of its plane at the line is 0.0205 m, must be at most 0.0196 m");
 }
 
 }  // namespace

@@ -211,7 +211,7 @@ TEST(CheckFrame, TakesLinesOutOfRangeForLinesElsewhere) {
   std::vector<LineEvaluation> without_height = lines;  // two of them
   without_height[1].length_m = 0.0;                    // the line has no place on Earth
   EXPECT_THAT(check_frame(without_height, 1.0).reason,
-              HasSubstr("(2 lie at one height more than 100 m above or below it)"));
+              HasSubstr("(2 have the same height more than 100 m above or below it)"));
 }
 
 TEST(CheckFrame, TellsLinesAtAnotherHeight) {

@@ -392,9 +392,8 @@ TEST(ComparisonInATerminal, HasTheCellsOfTheMarkdownInAlignedColumns) {
   EXPECT_THAT(text, HasSubstr("On the common lines:\n"
                               "class        n  RMS A  RMS B  B / A           95 %  A - B"));
   EXPECT_THAT(text, HasSubstr("\naligned      2  0.707  0.515  0.728  0.250 - 1.167  0.192"));
-  EXPECT_THAT(text, HasSubstr("\n\nLines that lost most from A to B:\n"
-                              "id  class        A      B   A - B\n"
-                              "a2  aligned  0.600  0.700  -0.100\n"));
+  EXPECT_THAT(text, HasSubstr("\n\nLines with the largest increase from A to B:\nid  class        "
+                              "A      B   A - B\na2  aligned  0.600  0.700  -0.100\n"));
   EXPECT_THAT(text, HasSubstr("Warning: <odd>\n"));
   EXPECT_THAT(text, AllOf(Not(HasSubstr("\\")), Not(HasSubstr("| ")), Not(HasSubstr("##"))));
 }

@@ -101,7 +101,7 @@ TEST(EstimateShift, OfFlatPlanesIsAHeightAlone) {
   EXPECT_EQ(shift.untold.size(), 2U);
   const std::string json = shift_json(shift)["axes"].dump();
   EXPECT_THAT(json, HasSubstr("\"x\":null,\"y\":null"));
-  EXPECT_THAT(shift_text(shift), HasSubstr("x, y not told by these planes"));
+  EXPECT_THAT(shift_text(shift), HasSubstr("x, y not observable from these planes"));
 }
 
 TEST(EstimateShift, OfNearlyFlatPlanesTakesNoPlanFromALargeHeight) {

@@ -87,7 +87,7 @@ TEST(DecoyGate, NeedsKindAndDistanceWhichNoOtherMetricTakes) {
   gate = gate_on("total");
   gate.max = 0.3;
   gate.distance_m = 1.0;
-  EXPECT_THAT(refusal(gate), HasSubstr("distance_m: rms_m has no use for it"));
+  EXPECT_THAT(refusal(gate), HasSubstr("distance_m: rms_m does not use it"));
 }
 
 /// Results with an RMS of 0.1 m, whose interval ends at 0.15 m and rests on so many clusters.
@@ -127,7 +127,7 @@ TEST(UpperBound, IsForMaxOfMetricsWithAClusteredInterval) {
   Gate gate = gate_on("total");
   gate.bound = GateBound::kUpper95;
   gate.min = 0.1;
-  EXPECT_THAT(refusal(gate), HasSubstr("it is for max alone, so min"));
+  EXPECT_THAT(refusal(gate), HasSubstr("only for max, so min"));
   gate = gate_on("total", "median_m");
   gate.max = 0.1;
   gate.bound = GateBound::kUpper95;

@@ -125,7 +125,7 @@ TEST(FiguresOf, LackOnePatchIsNotHiddenByTheOther) {
   ASSERT_EQ(figures.size(), 2U);
   EXPECT_FALSE(figures[1].value);
   EXPECT_EQ(figures[1].why_missing,
-            "there is no method joint; there are: direct; run with --methods direct,joint");
+            "there is no method joint; available: direct; run with --methods direct,joint");
   gate = gate_on("total", "quality");
   const std::vector<Figure> matching = figures_of(gate, gate.line_class, folder);
   ASSERT_EQ(matching.size(), 2U);
@@ -143,24 +143,24 @@ TEST(FiguresOf, AreOfTheMatchesOfBothMatchersTogether) {
   EXPECT_THAT(scope(gate, folder), ElementsAre("1 chio"));
   gate.method = "joint";
   EXPECT_EQ(why_missing(gate, folder),
-            "there is no matcher joint; there are: pairwise, chio, both");
+            "there is no matcher joint; available: pairwise, chio, both");
 }
 
 TEST(FiguresOf, SayWhichPatchesMethodsAndMatchersThereAre) {
   Gate gate = gate_on("total");
   gate.patch = "7";
-  EXPECT_EQ(why_missing(gate, results_with(0.1)), "there is no patch 7; there are: 1");
+  EXPECT_EQ(why_missing(gate, results_with(0.1)), "there is no patch 7; available: 1");
   gate = gate_on("total");
   gate.method = "network";
   EXPECT_EQ(why_missing(gate, results_of({"direct", "joint"})),
-            "there is no method network; there are: direct, joint; run with --methods "
+            "there is no method network; available: direct, joint; run with --methods "
             "direct,joint,network");
   EXPECT_EQ(why_missing(gate_on("total"), ResultFolder{}), "there are no results");
   ResultFolder of_files = results_with(0.1);
   of_files.is_of_line_files = true;
   of_files.matching.rows.clear();
   EXPECT_THAT(why_missing(gate_on("total", "quality"), of_files),
-              HasSubstr("run and demo have it"));
+              HasSubstr("which run and demo do"));
 }
 
 TEST(FiguresOf, SayHowToGetAClassThatCannotExist) {
@@ -181,7 +181,7 @@ TEST(FiguresOf, SayWhyACellHasNoFigure) {
   Evaluation& e = folder.evaluations[0];
   std::erase_if(e.lines, [](const LineEvaluation& l) { return l.line_class == "aligned"; });
   e = with_summaries(std::move(e));
-  EXPECT_EQ(why_missing(gate_on("aligned"), folder), "there is no line of class aligned");
+  EXPECT_EQ(why_missing(gate_on("aligned"), folder), "no line has class aligned");
   std::erase_if(e.lines, [](const LineEvaluation& l) { return l.status == Status::kEvaluated; });
   e = with_summaries(std::move(e));
   EXPECT_EQ(why_missing(gate_on("total"), folder),
@@ -257,9 +257,8 @@ TEST(ApplyGates, SaysWhatTheBaselineLacks) {
   const GateResult result = only_result(gate, results_of({"network"}), &baseline);
   EXPECT_EQ(result.verdict, Verdict::kMissing);
   EXPECT_EQ(result.explanation,
-            "the baseline has no such figure: there is no method network; there are: direct, "
-            "joint; run with "
-            "--methods direct,joint,network");
+            "the baseline has no such figure: there is no method network; available: direct, "
+            "joint; run with --methods direct,joint,network");
 }
 
 }  // namespace

@@ -322,7 +322,7 @@ TEST(Junit, KeepsTheLevelsOfAClassNameWhateverTheNamesHold) {
 TEST(GateMarkdown, PutsFailuresFirstAndStaysBelowItsLimit) {
   GateReport report = mixed_report();
   const std::string text = to_markdown(report);
-  EXPECT_THAT(text, StartsWith("Accuracy gate: **failed**, 1 of 2 checks failed."));
+  EXPECT_THAT(text, StartsWith("Accuracy gate: **failed** (1 of 2 checks passed)."));
   EXPECT_LT(text.find("aligned rms_m"), text.find("total rms_m"));
   for (int i = 0; i < 500; ++i) report.results.push_back(report.results[0]);
   constexpr std::size_t kLimit = 5000;
@@ -335,7 +335,7 @@ TEST(GateInATerminal, HasTheReasonOfAFailureBelowItsRowAndNoMarkup) {
   GateReport report = mixed_report();
   report.warnings = {"odd"};
   const std::string text = to_terminal(report);
-  EXPECT_THAT(text, StartsWith("Accuracy gate: failed, 1 of 2 checks failed.\n\ngate  "));
+  EXPECT_THAT(text, StartsWith("Accuracy gate: failed (1 of 2 checks passed).\n\ngate  "));
   EXPECT_THAT(text, ContainsRegex("verdict\naligned rms_m <= .* failed\n  [^ ].* is above the "
                                   "limit [0-9.]+\ntotal rms_m <= .* passed\n$"));
   EXPECT_THAT(text, AllOf(Not(HasSubstr("\\")), Not(HasSubstr("|")), Not(HasSubstr("*"))));

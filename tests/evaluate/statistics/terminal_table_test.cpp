@@ -58,8 +58,9 @@ TEST(TerminalTable, SaysHowFewLinesMakeTheHeadline) {
   EXPECT_THAT(text, ContainsRegex("total plan_images  +11  +12  1\\.210"));
   EXPECT_THAT(text, ContainsRegex("total points_place  +1  +12  2\\.000"));
   EXPECT_THAT(text, ContainsRegex("total all  +12  +12  1\\.294"));
-  EXPECT_THAT(text, HasSubstr("\n1, joint: 1 of 11 lines make half of the sum of squares; RMS of "
-                              "the others 0.100 m.\n"));
+  EXPECT_THAT(text,
+              HasSubstr("\n1, joint: 1 of 11 lines contribute half of the sum of squares; RMS of "
+                        "the others 0.100 m.\n"));
 }
 
 TEST(TerminalTable, OfMatchesIsEmptyWithoutRows) {

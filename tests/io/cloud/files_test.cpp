@@ -114,7 +114,7 @@ TEST(AtomicFile, NamesThePathThatCannotBeWritten) {
   const TempFolder folder;
   const std::string a_file = folder.write("a.txt", "");
   EXPECT_THAT(io_error_of([&] { write_file(a_file + "/b.txt", ""); }),
-              testing::HasSubstr("a.txt: folder cannot be made"));
+              testing::HasSubstr("a.txt: the folder cannot be created"));
   EXPECT_THAT(io_error_of([&] { write_file(folder.file(""), ""); }),
               testing::HasSubstr("is a folder"));
 }

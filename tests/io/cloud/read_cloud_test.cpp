@@ -256,7 +256,7 @@ TEST_F(ReadCloud, UnknownSystemIsWarnedOf) {
   const std::string path = write("a.las", {point_at(0, 0, 0)}, {0, 0, 0}, {});
   const PointCloud cloud = read_cloud({path});
   EXPECT_FALSE(cloud.crs.known());
-  EXPECT_THAT(cloud.warnings, ElementsAre(HasSubstr("states no reference system")));
+  EXPECT_THAT(cloud.warnings, ElementsAre(HasSubstr("has no reference system")));
 }
 
 TEST_F(ReadCloud, WarnsOfWrongHeaderBoundsAndNeverUsesThem) {

@@ -87,7 +87,7 @@ TEST_F(SharedSamples, CoordinatesAndSystemsAreRight) {
   const PointCloud feet = read("las_samples/laspy_1_4_w_evlr.las");
   EXPECT_NEAR(feet.horizontal_unit_m, 1200.0 / 3937.0, 1e-12);
   EXPECT_THAT(read("las_samples/laspy_simple.las").warnings,
-              Contains(HasSubstr("states no reference system")));
+              Contains(HasSubstr("has no reference system")));
 }
 
 TEST_F(SharedSamples, BadFilesAreRefusedOrWarnedOf) {

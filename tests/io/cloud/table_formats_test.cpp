@@ -109,9 +109,9 @@ TEST(ReadPcd, NamesWhatIsWrong) {
     const char* message;
   };
   for (const auto& [content, message] : {
-           Case{pcd_header("binary") + pcd_row().substr(1), "claims 1 points but its"},
+           Case{pcd_header("binary") + pcd_row().substr(1), "declares 1 points but holds only"},
            Case{pcd_header("ascii"), "claims 1 points but has only 0 lines"},
-           Case{pcd_header("ascii") + "1 2 x 4 5 6 7\n", "line 12: \"x\" is no number"},
+           Case{pcd_header("ascii") + "1 2 x 4 5 6 7\n", "line 12: \"x\" is not a number"},
            Case{pcd_header("ascii") + "1 2 3\n", "line 12 has too few numbers"},
            Case{pcd_header("zipped"), "DATA is zipped"},
            Case{replaced(good, "POINTS 1", "POINTS 2"), "WIDTH x HEIGHT"},
@@ -126,9 +126,9 @@ TEST(ReadPcd, NamesWhatIsWrong) {
            Case{pcd_header("binary_compressed") + bytes_of(99U) + bytes_of(31U) + "x",
                 "claims 99 bytes of packed data"},
            Case{pcd_header("binary_compressed") + bytes_of(1U) + bytes_of(30U) + "x",
-                "packed data are 30 bytes when unpacked"},
+                "packed data unpack to 30 bytes"},
            Case{pcd_header("binary_compressed") + bytes_of(1U) + bytes_of(31U) + "x",
-                "LZF cannot unpack"},
+                "cannot be unpacked by LZF"},
        }) {
     EXPECT_THAT(error_of("a.pcd", content), HasSubstr(message));
   }
@@ -232,9 +232,9 @@ TEST(ReadPly, NamesWhatIsWrong) {
   for (const auto& [content, message] : {
            Case{"ply\nformat ebcdic 1.0\n", "line 2: format is ebcdic"},
            Case{"ply\nelement vertex 0\nend_header\n", "no format line"},
-           Case{start + "property quad x\nend_header\n", "line 4: \"quad\" is no PLY type"},
+           Case{start + "property quad x\nend_header\n", "line 4: \"quad\" is not a PLY type"},
            Case{start + "property double\n", "line 4: a property must be"},
-           Case{start + "whatever\n", "\"whatever\" is not understood"},
+           Case{start + "whatever\n", "\"whatever\" is not expected here"},
            Case{start, "the header does not end"},
            Case{"ply\nformat ascii 1.0\nelement face 0\nend_header\n", "has no element vertex"},
            Case{start + "property double x\nproperty double y\nend_header\n1 2\n", "no column z"},
@@ -284,7 +284,8 @@ TEST(ReadXyz, FollowsColumnNames) {
 
 TEST(ReadXyz, NamesTheLineThatIsNoPoint) {
   EXPECT_THAT(error_of("a.xyz", "1 2 3\n# note\n1 2\n"), HasSubstr("line 3 has too few numbers"));
-  EXPECT_THAT(error_of("a.xyz", "1 2 3\nhello 2 3\n"), HasSubstr("line 2: \"hello\" is no number"));
+  EXPECT_THAT(error_of("a.xyz", "1 2 3\nhello 2 3\n"),
+              HasSubstr("line 2: \"hello\" is not a number"));
 }
 
 TEST(ReadXyz, ManyLinesKeepTheirOrderAcrossBlocks) {

@@ -91,19 +91,20 @@ TEST(TextLayout, NeverTakesAnotherColumnForHeights) {
   EXPECT_THAT(error_of_text("17 512999.314 5403002.956 250.001\n18 1 2 3\n"),
               AllOf(HasSubstr("line 1"), HasSubstr("column 3 as z is 5403002.956, no height")));
   EXPECT_THAT(error_of_text("1 10.5 20.5 5.0\n2 11.5 21.5 5.1\n3 12.5 20.0 5.2\n"),
-              HasSubstr("the first column counts the points"));
+              HasSubstr("the first column appears to be a point number"));
   for (const char* const text : {"P1 10.5 20.5 5.0 7\nP2 11.5 21.5 5.1 7\n", "P1 10.5 20.5 5.0\n"})
-    EXPECT_THAT(error_of_text(text), HasSubstr("leaves open which columns are x, y and z"));
+    EXPECT_THAT(error_of_text(text), HasSubstr("the columns of x, y and z are ambiguous"));
   EXPECT_THAT(error_of_text("x y z\n1 10.5 20.5 5.0\n"),
               AllOf(HasSubstr("has 4 columns but line 1 names 3")));
-  EXPECT_THAT(error_of_text("x,y,height,elevation\n1,2,3,4\n"), HasSubstr("2 columns may be z"));
-  EXPECT_THAT(error_of_text("1.5,2.5,3.5\n1.5,,2.5,3.5\n"), HasSubstr("line 2: \"\" is no number"));
+  EXPECT_THAT(error_of_text("x,y,height,elevation\n1,2,3,4\n"), HasSubstr("2 columns could be z"));
+  EXPECT_THAT(error_of_text("1.5,2.5,3.5\n1.5,,2.5,3.5\n"),
+              HasSubstr("line 2: \"\" is not a number"));
 }
 
 TEST(TextLayout, NamesWhatIsMissingOrAnotherFormat) {
   EXPECT_THAT(error_of_text("lon,lat,height\n8.1,48.2,250\n"),
               AllOf(HasSubstr("line 1"),
-                    HasSubstr("\"lon,lat,height\" leaves open which columns are x, y and z")));
+                    HasSubstr("\"lon,lat,height\" the columns of x, y and z are ambiguous")));
   EXPECT_THAT(error_of_text("ncols 100\nnrows 100\n"), HasSubstr("ASCII grid"));
   EXPECT_THAT(error_of_text("\xff\xfe"
                             "1\0"),
@@ -111,7 +112,7 @@ TEST(TextLayout, NamesWhatIsMissingOrAnotherFormat) {
   EXPECT_THAT(error_of_text("512,999.314 5,403,002.956 250.001\n"),
               HasSubstr("write numbers without other marks"));
   EXPECT_THAT(error_of_text("x;y;z\n512.999,314;5.403.002,956;250,001\n"),
-              HasSubstr("\"512.999,314\" is no number; write it without marks"));
+              HasSubstr("\"512.999,314\" is not a number; write it without thousands"));
 }
 
 TEST(TextLayout, LeavesARasterInRowsAlone) {

@@ -75,9 +75,9 @@ TEST(RequireGeoidGrid, NamesTheFileThatIsNone) {
   const TempFolder folder;
   const std::string path = folder.write("text.gtx", "no grid");
   EXPECT_THAT(io_error_of([&] { require_geoid_grid(path); }),
-              HasSubstr("is no grid that PROJ reads"));
+              HasSubstr("is not a grid that PROJ can read"));
   EXPECT_THAT(io_error_of([&] { require_geoid_grid(folder.file("none.gtx")); }),
-              HasSubstr("is no file"));
+              HasSubstr("is not a file"));
   require_geoid_grid(folder.write("grid.gtx", level_grid(1.0F)));
 }
 

@@ -165,7 +165,7 @@ TEST(AttributesOfGeoPackage, OwnIdsThatLayersShareNameTheirLayer) {
   EXPECT_EQ(set.lines[0].id, "roads.120");
   EXPECT_EQ(set.lines[1].id, "roofs.120");
   EXPECT_THAT(set.warnings,
-              ElementsAre("layers have the same ids, so lines are named by layer: roads.120"));
+              ElementsAre("ids repeat across layers; they are prefixed with the layer: roads.120"));
 }
 
 TEST(AttributesOfGeoPackage, OfSeveralLayersTheOneCalledLinesIsRead) {
@@ -174,7 +174,7 @@ TEST(AttributesOfGeoPackage, OfSeveralLayersTheOneCalledLinesIsRead) {
   const LineSet set = read_lines(folder.file("map.gpkg"));
   ASSERT_EQ(set.lines.size(), 1U);
   EXPECT_EQ(set.lines[0].id, "1");
-  EXPECT_THAT(set.warnings, ElementsAre("layer lines is read; left out: vectors"));
+  EXPECT_THAT(set.warnings, ElementsAre("reading layer lines; ignored: vectors"));
 }
 
 }  // namespace

@@ -103,8 +103,8 @@ TEST(ReadImage, RefusesWhatIsNoImage) {
   const TempFolder folder;
   EXPECT_THAT(error_of(folder.file("missing.tif")), HasSubstr("missing.tif: does not exist"));
   EXPECT_THAT(error_of(folder.file("")), HasSubstr("is a folder"));
-  EXPECT_THAT(error_of(folder.write("text.tif", "no image")), HasSubstr("is no readable TIFF"));
-  EXPECT_THAT(error_of(folder.write("empty.png", "")), HasSubstr("is no readable TIFF"));
+  EXPECT_THAT(error_of(folder.write("text.tif", "no image")), HasSubstr("is not a readable TIFF"));
+  EXPECT_THAT(error_of(folder.write("empty.png", "")), HasSubstr("is not a readable TIFF"));
 }
 
 TEST(ReadImage, FollowsNoReferencesToOtherFiles) {
@@ -115,7 +115,7 @@ TEST(ReadImage, FollowsNoReferencesToOtherFiles) {
       "band=\"1\">"
       "<SimpleSource><SourceFilename relativeToVRT=\"1\">a.tif</SourceFilename></SimpleSource>"
       "</VRTRasterBand></VRTDataset>";
-  EXPECT_THAT(error_of(folder.write("b.tif", vrt)), HasSubstr("is XML of a VRT"));
+  EXPECT_THAT(error_of(folder.write("b.tif", vrt)), HasSubstr("is a VRT (XML)"));
 }
 
 TEST(ReadImage, RefusesOtherBandsThanItTakes) {

@@ -27,7 +27,7 @@ TEST(KindOfFolder, TellsWhatTheProgramWritesAndTakes) {
 
 TEST(KindOfFolder, TellsFoldersOfOtherTools) {
   EXPECT_EQ(kind_of_files({"track_0.txt"}).group, FileGroup::kLineFolder);
-  EXPECT_EQ(kind_of_files({"cameras.bin", "images.bin"}).what, "a model of COLMAP");
+  EXPECT_EQ(kind_of_files({"cameras.bin", "images.bin"}).what, "a COLMAP model");
   EXPECT_EQ(kind_of_files({"cameras.bin", "images.txt"}).group, FileGroup::kFolder);
 }
 
@@ -35,7 +35,7 @@ TEST(KindOfFolder, CountsWhatElseLiesInIt) {
   EXPECT_EQ(kind_of_files({"a.las", "b.LAZ", "c.geojson", "d.doc"}).what,
             "a folder with 2 clouds and 1 line file");
   EXPECT_EQ(kind_of_files({"a.doc"}).what, "a folder");
-  EXPECT_EQ(kind_of_files({}).what, "a folder, which is empty");
+  EXPECT_EQ(kind_of_files({}).what, "an empty folder");
 }
 
 TEST(PatchFilesIn, AreThatOfTheFolderOrThoseOfItsSubfolders) {

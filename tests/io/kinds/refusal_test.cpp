@@ -76,10 +76,11 @@ TEST_F(Refusal, OfEveryReaderNamesTheKind) {
 
 TEST_F(Refusal, OfLinesUnderTheNameOfAnotherFormatSaysHowToNameThem) {
   const std::string file = folder_.write("a.gpkg", kGeoJson);
-  EXPECT_THAT(io_error_of([&] { read_lines(file); }),
-              HasSubstr("is GeoJSON, but is not named so; let its name end in .geojson"));
+  EXPECT_THAT(
+      io_error_of([&] { read_lines(file); }),
+      HasSubstr("is GeoJSON, but its name does not match; use a name that ends in .geojson"));
   const std::string unnamed = folder_.write("a.out", "LINESTRING Z (1 2 3, 4 5 6)\n");
-  EXPECT_THAT(io_error_of([&] { read_lines(unnamed); }), HasSubstr("let its name end in .wkt"));
+  EXPECT_THAT(io_error_of([&] { read_lines(unnamed); }), HasSubstr("use a name that ends in .wkt"));
 }
 
 TEST_F(Refusal, OfAFolderNamesWhatItHolds) {
@@ -92,7 +93,7 @@ TEST_F(Refusal, OfAFolderNamesWhatItHolds) {
               HasSubstr("is a folder with a patch file, not a file of 3D lines"));
   (void)folder_.write("two/a.las", "");
   EXPECT_THAT(io_error_of([&] { read_lines(folder_.file("two")); }),
-              HasSubstr("is a folder with 1 cloud, without LIMAP's track_K.txt"));
+              HasSubstr("is a folder with 1 cloud, without the track_K.txt of LIMAP"));
 }
 
 TEST_F(Refusal, OfANameAloneSaysSo) {

@@ -76,7 +76,7 @@ TEST(ReadChunkTable, RefusesTablesThatContradictTheFile) {
                 "4000000000 chunks in 72 bytes"},
            Case{[](FileBytes&f, std::size_t t) { f.resize(t + 9); }, "end"},
            Case{[](FileBytes&f, std::size_t t) { put(f, t + 8, std::uint64_t{0x0123456789}); },
-                "chunk 0 is said to have"},
+                "chunk 0 should have"},
            Case{[](FileBytes&f, std::size_t) { put(f, point_offset(f), std::int64_t{1} << 40); },
                 "at byte 1099511627776"},
            Case{[](FileBytes&f, std::size_t) { put(f, point_offset(f), std::int64_t{-7}); },
@@ -94,18 +94,20 @@ TEST(ReadChunkTable, RefusesMorePointsThanAChunkMayHold) {
   builder.chunks[0].n_points = 2'000'001;
   builder.n_points = 2'000'003;
   EXPECT_THAT([&] { chunks_of(builder.build()); },
-              ThrowsMessage<CodecError>(HasSubstr("chunk 0 is said to hold 2000001 points")));
+              ThrowsMessage<CodecError>(HasSubstr("chunk 0 should hold 2000001 points")));
 }
 
 TEST(ReadChunkTable, RefusesChunksThatDoNotHoldAllPoints) {
   LazBuilder builder = three_points();
   builder.chunk_size = LaszipRecord::kVariableChunkSize;
   builder.n_points = 4;
-  EXPECT_THAT([&] { chunks_of(builder.build()); },
-              ThrowsMessage<CodecError>(HasSubstr("the chunks hold 3 points; the header says 4")));
+  EXPECT_THAT(
+      [&] { chunks_of(builder.build()); },
+      ThrowsMessage<CodecError>(HasSubstr("the chunks hold 3 points, but the header has 4")));
   builder.n_points = 2;
-  EXPECT_THAT([&] { chunks_of(builder.build()); },
-              ThrowsMessage<CodecError>(HasSubstr("chunk 2 is said to hold 1 points, 0 are left")));
+  EXPECT_THAT(
+      [&] { chunks_of(builder.build()); },
+      ThrowsMessage<CodecError>(HasSubstr("chunk 2 should hold 1 points, but only 0 are left")));
 }
 
 TEST(LostChunkTable, IsReplacedByDecodingInOrderIfChunksHaveOneSize) {
@@ -124,7 +126,7 @@ TEST(LostChunkTable, IsAnErrorIfChunksVaryInSize) {
   builder.chunk_size = LaszipRecord::kVariableChunkSize;
   builder.table = LazBuilder::Table::kMissing;
   EXPECT_THAT([&] { decode_laz(builder.build()); },
-              ThrowsMessage<IoError>(HasSubstr("chunks of varying size cannot be found")));
+              ThrowsMessage<IoError>(HasSubstr("locate chunks of varying size")));
 }
 
 TEST(LostChunkTable, IsReplacedInRealFilesOfBothKinds) {

@@ -100,7 +100,7 @@ TEST(ReadCopcHierarchy, RefusesDamage) {
            Case{[](FileBytes&f, std::size_t i, std::size_t) { put(f, i + 40, ~std::uint64_t{0}); },
                 "COPC page at byte 18446744073709551615"},
            Case{[](FileBytes&f, std::size_t i, std::size_t) { put(f, i + 48, std::uint64_t{33}); },
-                "is said to have 33 bytes"},
+                "should have 33 bytes"},
            Case{[](FileBytes&f, std::size_t, std::size_t p) { put(f, p, 40); }, "COPC node 40-"},
            Case{[](FileBytes&f, std::size_t, std::size_t p) { put(f, p + 28, -2); },
                 "with -2 points"},

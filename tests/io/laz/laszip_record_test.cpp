@@ -42,7 +42,7 @@ TEST(ReadLaszipRecord, RefusesWhatItDoesNotKnowByName) {
            Case{[](LazBuilder& b) { b.items[0].type = static_cast<ItemType>(22); },
                 "LASzip item 1 has type 22; must be 0 or 6 to 14"},
            Case{[](LazBuilder& b) { b.items[0].version = 6; },
-                "LASzip item POINT10 has version 6; this program knows 1 to 2"},
+                "LASzip item POINT10 has version 6; supported are 1 to 2"},
            Case{[](LazBuilder& b) { b.items[0].size = 21; },
                 "LASzip item POINT10 has size 21; must be 20"},
            Case{[](LazBuilder& b) {
@@ -56,8 +56,8 @@ TEST(ReadLaszipRecord, RefusesWhatItDoesNotKnowByName) {
            Case{[](LazBuilder& b) {
                   b.items.push_back({ItemType::kRgb12, 6, 2});
                 },
-                "LASzip items are POINT10 RGB12 (26 bytes); they must make up records of point "
-                "format 0 (20 bytes)"},
+                "LASzip items are POINT10 RGB12 (26 bytes); they must match point format 0 (20 "
+                "bytes)"},
            Case{[](LazBuilder& b) { b.items.clear(); }, "LASzip items are  (0 bytes)"},
            Case{[](LazBuilder& b) { b.compressor = 3; },
                 "LASzip compressor 3 cannot hold point format 0"},
@@ -73,8 +73,7 @@ TEST(ReadLaszipRecord, RefusesWhatItDoesNotKnowByName) {
 TEST(ReadLaszipRecord, RefusesAFileWithoutTheRecord) {
   FileBytes file = LazBuilder().build();
   put(file, 227 + 2, 'X');
-  EXPECT_THAT([&] { record_of(file); },
-              ThrowsMessage<IoError>(HasSubstr("there is no LASzip record")));
+  EXPECT_THAT([&] { record_of(file); }, ThrowsMessage<IoError>(HasSubstr("but the LASzip record")));
 }
 
 TEST(ReadLaszipRecord, RefusesARecordThatIsTooShort) {

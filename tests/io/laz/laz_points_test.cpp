@@ -193,7 +193,7 @@ TEST(LazPoints, RefusesACountThatNoStreamCanHold) {
   builder.add_single_point(1, 2, 3);
   builder.n_points = 4'000'000'000;
   EXPECT_THAT([&] { decode_laz(builder.build()); },
-              ThrowsMessage<IoError>(HasSubstr("header says 4000000000 points")));
+              ThrowsMessage<IoError>(HasSubstr("the header has 4000000000 points")));
 }
 
 }  // namespace

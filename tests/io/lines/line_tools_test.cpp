@@ -86,8 +86,8 @@ TEST(ReadObj, NamesTheRowThatIsWrong) {
   EXPECT_THAT(tool_error_of("a.obj", "v 0 0 0\nl 1 2\n"),
               HasSubstr("a.obj:2: vertex index 2; the file"));
   EXPECT_THAT(tool_error_of("a.obj", "v 0 0\n"),
-              HasSubstr("a.obj:1: a vertex has three coordinates"));
-  EXPECT_THAT(tool_error_of("a.obj", "v 0 0 x\n"), HasSubstr("a.obj:1: 'x' is no number"));
+              HasSubstr("a.obj:1: a vertex must have three coordinates"));
+  EXPECT_THAT(tool_error_of("a.obj", "v 0 0 x\n"), HasSubstr("a.obj:1: 'x' is not a number"));
   EXPECT_THAT(tool_error_of("a.obj", "v 0 0 0\nl 0 1\n"), HasSubstr("a.obj:2: vertex index '0'"));
 }
 
@@ -168,9 +168,9 @@ TEST(ReadPly, SaysWhatIsWrong) {
   EXPECT_THAT(tool_error_of("a.ply", "obj\n"), HasSubstr("a.ply: line 1: must be \"ply\""));
   const std::string head = "ply\nformat ascii 1.0\nelement edge 1\nproperty int vertex1\n";
   EXPECT_THAT(tool_error_of("a.ply", head + "property int vertex2\nend_header\n0 7\n"),
-              HasSubstr("names a vertex beyond the 0 vertices"));
+              HasSubstr("refers to a vertex beyond the 0 vertices"));
   EXPECT_THAT(tool_error_of("a.ply", head + "property quad vertex2\nend_header\n0 7\n"),
-              HasSubstr("a.ply: line 5: \"quad\" is no PLY type"));
+              HasSubstr("a.ply: line 5: \"quad\" is not a PLY type"));
   EXPECT_THAT(
       tool_error_of("a.ply", "ply\nformat ascii 1.0\nelement edge 99999999999\nend_header\n"),
       HasSubstr("edge has no properties"));
@@ -210,7 +210,7 @@ TEST(ReadPly, NamesThePropertiesWhereOthersAreExpected) {
       tool_error_of("a.ply",
                     "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
                     "property float z\nend_header\n0 0 0\n"),
-      HasSubstr("holds no 3D lines but 1 vertex"));
+      HasSubstr("has no 3D lines but 1 vertex"));
 }
 
 TEST(ReadLine3dpp, ReadsAllSegmentsOfALineAndCountsImages) {
@@ -232,7 +232,7 @@ TEST(ReadLine3dpp, WarnsOfCoordinatesThatSixDigitsCannotHold) {
 
 TEST(ReadLine3dpp, NamesTheRowThatIsTruncated) {
   EXPECT_THAT(tool_error_of("a.txt", "1 0 0 0 1 1 1 1 7 0 1 2 3 4\n2 0 0 0 1 1 1 1\n"),
-              HasSubstr("a.txt:2: word 14 is no count"));
+              HasSubstr("a.txt:2: word 14 is not a count"));
   EXPECT_THAT(tool_error_of("a.txt", "1 0 0 0 1 1 1 2 7 0 1 2 3 4\n"),
               HasSubstr("a.txt:1: 14 fields; 20 are expected"));
 }
@@ -261,7 +261,7 @@ TEST(ReadLimap, ReadsTracks) {
   EXPECT_THAT(tool_error_of("a.txt", tracks.substr(0, tracks.size() - 8)),
               HasSubstr("ends before"));
   EXPECT_THAT(tool_error_of("a.txt", tracks + "1 2 3\n"),
-              HasSubstr("a.txt:12: goes on after the 2"));
+              HasSubstr("a.txt:12: continues after the 2"));
 }
 
 TEST(ReadLimap, ReadsAFolderOfTracksInTheirOrder) {
@@ -277,7 +277,8 @@ TEST(ReadLimap, ReadsAFolderOfTracksInTheirOrder) {
   EXPECT_EQ(set.lines[1].segment_in_world.start.x(), 10.0);
   EXPECT_EQ(set.lines[0].n_images, 2);
   (void)folder.write("empty/readme.md", "");
-  EXPECT_THAT(io_error_of([&] { read_lines(folder.file("empty")); }), HasSubstr("without LIMAP's"));
+  EXPECT_THAT(io_error_of([&] { read_lines(folder.file("empty")); }),
+              HasSubstr("without the track_K.txt of LIMAP"));
   (void)folder.write("v2/structures/x", "");
   EXPECT_THAT(io_error_of([&] { read_lines(folder.file("v2")); }), HasSubstr("LIMAP 2.0"));
 }
@@ -306,7 +307,7 @@ TEST(ReadShapefile, RefusesTypesWithoutHeight) {
 }
 
 TEST(ReadOgr, SaysWhatIsWrong) {
-  EXPECT_THAT(tool_error_of("a.gpkg", "SQLite? no"), HasSubstr("a.gpkg: is no GeoPackage"));
+  EXPECT_THAT(tool_error_of("a.gpkg", "SQLite? no"), HasSubstr("a.gpkg: is not a GeoPackage"));
   EXPECT_THAT(tool_error_of("a.gpkg", ""), HasSubstr("a.gpkg: is empty"));
   EXPECT_THAT(tool_error_of("a.dxf", "\x01\x02\x03"), HasSubstr("a.dxf: is no DXF"));
   EXPECT_THAT(io_error_of([] { read_lines("/nowhere/a.dxf"); }), HasSubstr("no such file"));
@@ -344,7 +345,7 @@ TEST(ReadDxf, LeavesHiddenLayersOutAndCountsThem) {
   const LineSet set = read_tool("a.dxf", dxf_of_layers("6"));
   ASSERT_EQ(set.lines.size(), 1U);
   EXPECT_EQ(set.lines[0].line_class, "RIDGES");
-  EXPECT_THAT(set.warnings, ElementsAre("left out: 2 entities of hidden layers"));
+  EXPECT_THAT(set.warnings, ElementsAre("ignored: 2 entities of hidden layers"));
   EXPECT_EQ(set.stated_unit, "");
 }
 

@@ -66,7 +66,7 @@ TEST(MapLines, OfAFileOfLinesHaveNoStatusOfAJudgement) {
 TEST(MapLines, OfAFileThatIsNoMapAreRefused) {
   const TempFolder folder;
   const std::string file = folder.write("map.gpkg", "no map");
-  EXPECT_THAT(io_error_of([&] { (void)lines_of_map(file); }), HasSubstr("is no map of lines"));
+  EXPECT_THAT(io_error_of([&] { (void)lines_of_map(file); }), HasSubstr("is not a map of lines"));
   EXPECT_THAT(io_error_of([&] { (void)lines_of_map(folder.file("none.gpkg")); }),
               HasSubstr("none.gpkg"));
 }

@@ -106,14 +106,12 @@ TEST(ReadGeoJson, LeavesColumnsOfOtherToolsThatHaveOurNames) {
   EXPECT_FALSE(set.lines[0].covariance_m2.has_value());
   EXPECT_EQ(set.lines[0].n_images, 2);
   EXPECT_EQ(set.lines[1].n_images, 3);
-  EXPECT_THAT(
-      set.warnings,
-      ElementsAre(
-          "column covariance is another tool's and not read: [1,2] in feature 0 must be 36 numbers",
-          "column epipolar_angle_deg is another tool's and not read: \"x\" in feature 1 must "
-          "be a number",
-          "column n_points is another tool's and not read: \"about 120\" in feature 1 must be a "
-          "number"));
+  EXPECT_THAT(set.warnings, ElementsAre("column covariance has another meaning in this file and is "
+                                        "ignored: [1,2] in feature 0 must be 36 numbers",
+                                        "column epipolar_angle_deg has another meaning in this "
+                                        "file and is ignored: \"x\" in feature 1 must be a number",
+                                        "column n_points has another meaning in this file and is "
+                                        "ignored: \"about 120\" in feature 1 must be a number"));
   // columns that are not read stay in the map
   EXPECT_EQ(set.features.columns.size(), 4U);
 }
@@ -124,12 +122,12 @@ TEST(ReadGeoJson, RefusesVariancesThatNoLineHasNamingTheLine) {
   const std::string line = line_string("[[0,0,0],[5,0,1]]");
   EXPECT_THAT(
       error_of("a.geojson", collection(feature(R"({"id":"r3","covariance":)" + flat + "]}", line))),
-      HasSubstr("a.geojson: feature 0: covariance of line r3 has the variance -0.5 m2 of the "
+      HasSubstr("a.geojson: feature 0: covariance of line r3: the variance is -0.5 m2 for the "
                 "start's x; must"));
   EXPECT_THAT(
       error_of("a.geojson",
                collection(feature(R"({"sigma_start_m":[1,2,3],"sigma_end_m":[4,5,-6]})", line))),
-      HasSubstr("the variance -36 m2 of the end's z"));
+      HasSubstr("the variance is -36 m2 for the end's z"));
 }
 
 TEST(ReadGeoJson, KeepsLinesWithoutCoordinatesAndWarnsOfThoseThatSayNoReason) {
@@ -143,7 +141,7 @@ TEST(ReadGeoJson, KeepsLinesWithoutCoordinatesAndWarnsOfThoseThatSayNoReason) {
   EXPECT_FALSE(all_finite(set.lines[0].segment_in_world));
   EXPECT_FALSE(all_finite(set.lines[1].segment_in_world));
   EXPECT_EQ(length(set.lines[2].segment_in_world), 0.0);
-  EXPECT_THAT(set.warnings, Contains(HasSubstr("1 of 4 lines have coordinates that are not")));
+  EXPECT_THAT(set.warnings, Contains(HasSubstr("1 of 4 lines have non-finite")));
 }
 
 TEST(ReadGeoJson, HonoursTheCrsMember) {
@@ -159,9 +157,9 @@ TEST(ReadGeoJson, RefusesDegrees) {
   const std::string wgs84 =
       R"({"type":"name","properties":{"name":"urn:ogc:def:crs:OGC:1.3:CRS84"}})";
   EXPECT_THAT(error_of("a.geojson", collection(degrees, wgs84)),
-              HasSubstr("coordinates in degrees"));
+              HasSubstr("the coordinates are degrees"));
   EXPECT_THAT(error_of("a.geojson", R"({"type":"FeatureCollection","features":[)" + degrees + "]}"),
-              HasSubstr("the coordinates are degrees by their size"));
+              HasSubstr("the coordinates look like degrees"));
 }
 
 TEST(ReadGeoJson, TakesShortCoordinatesOfALocalFrameAsMetres) {
@@ -194,23 +192,22 @@ TEST(ReadGeoJson, CountsByKindWhatIsNoLine) {
   EXPECT_THAT(ids(set), ElementsAre("5", "6", "7"));
   EXPECT_THAT(
       set.warnings,
-      ElementsAre(
-          "2 of 3 lines have coordinates that are not finite: 1 line without z, 1 null geometry",
-          "left out: 3 points, 2 polygons with heights, 1 polygon without heights"));
+      ElementsAre("2 of 3 lines have non-finite coordinates: 1 line without z, 1 null geometry",
+                  "ignored: 3 points, 2 polygons with heights, 1 polygon without heights"));
 }
 
 TEST(ReadGeoJson, RefusesFeaturesWithoutALineNamingTheirKinds) {
   const std::string flat = feature("{}", polygon("[[0,0],[9,0],[9,4],[0,0]]"));
   EXPECT_THAT(error_of("a.geojson", collection(flat + "," + flat + "," + feature("{}", kPoint) +
                                                "," + feature("{}", "null"))),
-              AllOf(HasSubstr("a.geojson: holds no 3D lines but 1 null geometry, 1 point, 2 "
+              AllOf(HasSubstr("a.geojson: has no 3D lines but 1 null geometry, 1 point, 2 "
                               "polygons without heights"),
                     HasSubstr("3D lines, or polygons or faces with heights, are needed")));
   // a status of another tool is no reason for a line to be nowhere
   EXPECT_THAT(error_of("a.geojson", collection(feature(R"({"status":"demolished"})", "null"))),
               HasSubstr("1 null geometry"));
   // an empty result is a result, too
-  EXPECT_THAT(read("a.geojson", collection("")).warnings, ElementsAre("holds no lines"));
+  EXPECT_THAT(read("a.geojson", collection("")).warnings, ElementsAre("has no lines"));
 }
 
 TEST(ReadGeoJson, FindsLinesInCollectionsHoweverDeep) {
@@ -225,7 +222,7 @@ TEST(ReadGeoJson, FindsLinesInCollectionsHoweverDeep) {
                                    feature(R"({"id":"b"})", group(group(many + "," + one)))));
   EXPECT_THAT(ids(set), ElementsAre("a", "b.0", "b.1", "b.2"));
   EXPECT_EQ(set.lines[2].segment_in_world.start.x(), 3.0);
-  EXPECT_THAT(set.warnings, ElementsAre("left out: 1 point"));
+  EXPECT_THAT(set.warnings, ElementsAre("ignored: 1 point"));
 }
 
 TEST(ReadGeoJson, TakesTheEdgesOfPolygonsWithHeightsThoseOfNeighboursOnce) {
@@ -243,15 +240,16 @@ TEST(ReadGeoJson, TakesTheEdgesOfPolygonsWithHeightsThoseOfNeighboursOnce) {
 
 TEST(ReadGeoJson, NamesAFileOfAnotherKind) {
   EXPECT_THAT(error_of("city.json", R"({"type":"CityJSONFeature","vertices":[]})"),
-              HasSubstr("city.json: is a feature of CityJSON, give the whole file"));
+              HasSubstr("city.json: is a CityJSON feature, give the whole file"));
   EXPECT_THAT(error_of("a.json", R"({"type":"Topology","objects":{}})"), HasSubstr("TopoJSON"));
   EXPECT_THAT(error_of("a.json", R"({"geometryType":"esriGeometryPolyline","features":[]})"),
               HasSubstr("Esri"));
   EXPECT_THAT(error_of("a.geojson", "LASF\1\2"),
               HasSubstr("is a LAS point cloud, not a file of 3D lines; give it as `cloud`"));
-  EXPECT_THAT(error_of("a.json", "<?xml version='1.0'?><CityModel/>"), HasSubstr("is no CityGML"));
+  EXPECT_THAT(error_of("a.json", "<?xml version='1.0'?><CityModel/>"), HasSubstr("is not CityGML"));
   EXPECT_THAT(error_of("a.csv", std::string("\xFF\xFEx\0", 4)), HasSubstr("UTF-16"));
-  EXPECT_THAT(error_of("a.gml", "<gml/>"), HasSubstr("is XML, as of GML, which is not read"));
+  EXPECT_THAT(error_of("a.gml", "<gml/>"),
+              HasSubstr("is XML, such as GML, which is not supported"));
 }
 
 TEST(ReadGeoJson, OfLatin1BecomesUtf8) {
@@ -262,18 +260,18 @@ TEST(ReadGeoJson, OfLatin1BecomesUtf8) {
   EXPECT_EQ(set.lines[0].id,
             "Stra\xC3\x9F"
             "e");
-  EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("taken as Latin-1")));
+  EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("reading it as Latin-1")));
 }
 
 TEST(ReadGeoJson, SaysWhatIsWrong) {
-  EXPECT_THAT(error_of("a.geojson", ""), HasSubstr("a.geojson: is no GeoJSON"));
+  EXPECT_THAT(error_of("a.geojson", ""), HasSubstr("a.geojson: is not GeoJSON"));
   EXPECT_THAT(error_of("a.geojson", "{\"type\":\n \"Feature"), HasSubstr("at line 2, column"));
-  EXPECT_THAT(error_of("a.geojson", "\x7F\x45LF\x01"), HasSubstr("is no GeoJSON"));
+  EXPECT_THAT(error_of("a.geojson", "\x7F\x45LF\x01"), HasSubstr("is not GeoJSON"));
   EXPECT_THAT(error_of("a.geojson", "[1,2]"), HasSubstr("an object with \"type\""));
   EXPECT_THAT(error_of("a.geojson", R"({"type":"FeatureCollection"})"),
               HasSubstr("\"features\" is missing"));
   EXPECT_THAT(error_of("a.geojson", collection(feature("{}", line_string("[[1,2],[3,\"x\",4]]")))),
-              HasSubstr("feature 0: coordinate \"x\" is no number"));
+              HasSubstr("feature 0: coordinate \"x\" is not a number"));
   EXPECT_THAT(error_of("a.geojson", collection(feature("{}", line_string("[[1,2],[3]]")))),
               HasSubstr("position [3]; must be [x, y, z]"));
 }
@@ -289,13 +287,13 @@ TEST(ReadGeoJson, RefusesArraysTooDeepForARecursion) {
 TEST(ReadCsv, TakesBytesThatAreNoUtf8AsLatin1) {
   const LineSet set = read("a.csv", "id,x1,y1,z1,x2,y2,z2,n_points\n\xDCz,1,2,3,4,5,6,\xFF\xFE\n");
   EXPECT_EQ(set.lines[0].id, "\xC3\x9Cz");
-  EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("column n_points is another tool's"),
-                                        HasSubstr("taken as Latin-1")));
+  EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("column n_points has another meaning"),
+                                        HasSubstr("reading it as Latin-1")));
 }
 
 TEST(ReadLines, RefusesLinesWithoutHeights) {
   EXPECT_THAT(error_of("a.geojson", collection(feature("{}", line_string("[[1,2],[9,2]]")))),
-              HasSubstr("holds no 3D lines but 1 line without z; 3D lines, or"));
+              HasSubstr("has no 3D lines but 1 line without z; 3D lines, or"));
 }
 
 TEST(ReadLines, WarnsOfHeightsThatAreAllZero) {
@@ -310,8 +308,7 @@ TEST(ReadLines, NumbersRepeatedIdsNeverByThatOfAnotherLine) {
   const LineSet set = read("a.csv", csv);
   EXPECT_THAT(ids(set), ElementsAre("12", "12.2", "12.1", "12.3", "a"));
   EXPECT_THAT(set.warnings,
-              ElementsAre("2 lines have an id that an earlier line has and are numbered: "
-                          "12.2, 12.3"));
+              ElementsAre("2 lines repeat the id of an earlier line and get a number: 12.2, 12.3"));
 }
 
 TEST(ReadLines, NumbersOfPartsGiveWayToIdsOfTheFile) {
@@ -351,8 +348,7 @@ TEST(ReadLines, VerticesOnAStraightLineDoNotDivideIt) {
   EXPECT_THAT(ids(set), ElementsAre("0", "1.0", "1.1"));
   EXPECT_EQ(set.lines[0].segment_in_world.end, Eigen::Vector3d(12.02, 3.31, 7.17));
   EXPECT_EQ(set.lines[1].segment_in_world.end, Eigen::Vector3d(7.77, 1.13, 5.5));
-  EXPECT_THAT(set.warnings,
-              ElementsAre("108 vertices within 0.02 of a straight line do not divide it"));
+  EXPECT_THAT(set.warnings, ElementsAre("108 vertices within 0.02 of a straight line are ignored"));
 }
 
 TEST(ReadLines, ARingThatBeginsOnAnEdgeHasTheEdgesOfItsCorners) {
@@ -377,7 +373,7 @@ TEST(ReadLines, BendsOfAFewCentimetresAndTurnsBackDivideALine) {
 TEST(ReadLines, NamesTheFileAndTheRule) {
   EXPECT_THAT(io_error_of([] { read_lines("/nowhere/a.csv"); }), "/nowhere/a.csv: no such file");
   EXPECT_THAT(error_of("a.tif", "II*"),
-              HasSubstr("extension '.tif': an image; lines are read from .geojson"));
+              HasSubstr("extension '.tif': an image; supported are .geojson"));
   EXPECT_THAT(error_of("a.bin", "x"), HasSubstr("Line3D++ .bin"));
   EXPECT_THAT(error_of("a.npy", "x"), HasSubstr("pickle"));
   EXPECT_THAT(error_of("a.csv", ""), HasSubstr("is empty"));
@@ -411,7 +407,7 @@ TEST(ReadCsv, NamesTheRowThatIsWrong) {
   EXPECT_THAT(error_of("a.csv", "x1,y1,z1,x2,y2,z2\n1,2,3,4,5,6\n1,2,3,4\n"),
               HasSubstr("a.csv:3: 4 fields; the first row has 6"));
   EXPECT_THAT(error_of("a.csv", "x1,y1,z1,x2,y2,z2\n1,2,3,4,5,six\n"),
-              HasSubstr("a.csv:2: 'six' is no number"));
+              HasSubstr("a.csv:2: 'six' is not a number"));
   EXPECT_THAT(error_of("a.csv", "x1,y1,x2,y2\n"), HasSubstr("a.csv:1: no column z1"));
   EXPECT_THAT(error_of("a.csv", "x1,y1,z1,x2,y2,z2,\"id\n"), HasSubstr("is not closed"));
 }
@@ -426,8 +422,8 @@ TEST(ReadCsv, TakesAColumnOfWkt) {
   EXPECT_EQ(set.lines[2].segment_in_world.start, Eigen::Vector3d(7, 8, 9));
   EXPECT_FALSE(all_finite(set.lines[3].segment_in_world));
   EXPECT_THAT(error_of("a.csv", "id,wkt\na,\"POINT Z (1 2 3)\"\n"),
-              HasSubstr("a.csv: holds no 3D lines but 1 point"));
-  EXPECT_THAT(error_of("a.csv", "id,wkt\na,\"LINESTRING Z (1 2\"\n"), HasSubstr("is no WKT"));
+              HasSubstr("a.csv: has no 3D lines but 1 point"));
+  EXPECT_THAT(error_of("a.csv", "id,wkt\na,\"LINESTRING Z (1 2\"\n"), HasSubstr("is not WKT"));
 }
 
 TEST(ReadWkt, TakesOneGeometryARowAndTheSrid) {
@@ -478,7 +474,7 @@ TEST(ReadCsv, TakesTheLayoutsOfOtherPrograms) {
     EXPECT_EQ(set.lines[0].segment_in_world.start, Eigen::Vector3d(1, 2, 3));
     EXPECT_EQ(set.lines[0].segment_in_world.end, Eigen::Vector3d(4, 5, 6));
   }
-  EXPECT_THAT(error_of("a.csv", "# nothing\n# but comments\n"), HasSubstr("comments alone"));
+  EXPECT_THAT(error_of("a.csv", "# nothing\n# but comments\n"), HasSubstr("only comments"));
 }
 
 TEST(ReadWkt, RefusesASridThatIsNoCodeNamingTheRow) {

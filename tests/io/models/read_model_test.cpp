@@ -91,8 +91,7 @@ TEST_F(ModelFiles, WithoutFacesInTheWantedLevelAreRefused) {
     (void)read_model(folder_.file("a.json"), {"1.3"});
     FAIL();
   } catch (const IoError& error) {
-    EXPECT_THAT(error.what(),
-                HasSubstr("a.json: holds 2 buildings and no faces of them in LoD 1.3"));
+    EXPECT_THAT(error.what(), HasSubstr("a.json: has 2 buildings without faces in LoD 1.3"));
   }
 }
 

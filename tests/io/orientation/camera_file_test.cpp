@@ -45,9 +45,9 @@ TEST(ReadCameras, TakesMillimetresAndUnitsOfTheLongerSide) {
 }
 
 TEST(ReadCameras, SaysWhatIsWrong) {
-  EXPECT_THAT(error_of("[1, 2]\n"), HasSubstr("is no file of cameras"));
+  EXPECT_THAT(error_of("[1, 2]\n"), HasSubstr("is not a camera file"));
   EXPECT_THAT(error_of("c: {type: fisheye, im_size: [9, 9], k4: 1}\n"),
-              HasSubstr("camera type fisheye; pinhole and brown are read"));
+              HasSubstr("camera type fisheye; supported are pinhole and brown"));
   EXPECT_THAT(error_of("c: {im_size: [9, 9], focal_len: 1}\n"), HasSubstr("type"));
   EXPECT_THAT(error_of("c: {type: brown, im_size: [9, 9.5], focal_len: 1}\n"),
               HasSubstr("must be whole numbers of pixels"));

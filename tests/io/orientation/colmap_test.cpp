@@ -139,7 +139,8 @@ TEST(ReadColmap, SaysWhatIsWrong) {
   EXPECT_THAT(error_of("1 PINHOLE 9 9 1 2 3\n", kImages), HasSubstr("7 fields; PINHOLE has 8"));
   EXPECT_THAT(error_of("1 SIMPLE_PINHOLE 9 9 0 2 3\n", kImages), HasSubstr("focal length 0"));
   EXPECT_THAT(error_of("# none\n", kImages), HasSubstr("images.txt:2: camera 2 is not in"));
-  EXPECT_THAT(error_of(kCameras, "1 1 0 0 0 1 2 3\n\n"), HasSubstr("images.txt:1: an image is"));
+  EXPECT_THAT(error_of(kCameras, "1 1 0 0 0 1 2 3\n\n"),
+              HasSubstr("images.txt:1: an image must be"));
   EXPECT_THAT(error_of(kCameras, "1 0 0 0 0 1 2 3 1 a\n\n"), HasSubstr("quaternion is zero"));
 }
 
@@ -160,7 +161,7 @@ TEST(ReadColmap, RefusesAHoleAtOnce) {
   const TempFolder text;
   (void)folder_of(text);
   std::filesystem::resize_file(text.file("sparse/images.txt"), kHuge_bytes);
-  EXPECT_THAT(io_error_of([&] { read_colmap(text.file("sparse")); }), HasSubstr("is no text"));
+  EXPECT_THAT(io_error_of([&] { read_colmap(text.file("sparse")); }), HasSubstr("is not text"));
   const TempFolder binary;
   (void)binary.write("cameras.bin", binary_cameras());
   (void)binary.write("images.bin", "\x7f" + binary_images().substr(1));

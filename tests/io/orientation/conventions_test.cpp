@@ -109,7 +109,7 @@ TEST(DecideRotations, GoesByTheStripsWhereThereAreNoPoints) {
   decide_rotations("a.csv", readings, {}, block);
   EXPECT_NEAR(mean_angle_to_strips_deg(block).value(), 0.0, kAngleRounding_deg);
   EXPECT_THAT(block.decisions,
-              ElementsAre(HasSubstr("angles in deg (with angles in gon images lie")));
+              ElementsAre(HasSubstr("angles in deg (with angles in gon images are aligned")));
 }
 
 TEST(DecideRotations, AsksWhereTheStripsDoNotTell) {
@@ -129,7 +129,7 @@ TEST(DecideRotations, SaysWhatWouldTellWhereThereIsNothing) {
   const std::vector<RotationReading> readings{reading_of(block, "deg", 1.0),
                                               reading_of(block, "gon", 0.9)};
   EXPECT_THAT(io_error_of([&] { decide_rotations("a.csv", readings, {}, block); }),
-              HasSubstr("(points need images and cameras (cameras: FILE)"));
+              HasSubstr("(tie points require images and cameras (cameras: FILE)"));
 }
 
 TEST(DecideRotations, TakesTheFirstOfThoseThatMeanTheSame) {

@@ -90,7 +90,7 @@ TEST(WriteOrientationMap, NeedsAnImageThatSeesTheGround) {
   const TempFolder folder;
   EXPECT_THAT(
       io_error_of([&] { write_orientation_map(folder.file("plan.gpkg"), vertical_pair(), 500.0); }),
-      HasSubstr("has nothing to show"));
+      HasSubstr("has no footprint"));
   EXPECT_EQ(folder.num_files(), 0U);
 }
 

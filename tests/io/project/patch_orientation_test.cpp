@@ -103,7 +103,7 @@ TEST_F(PatchOfOrientation, IsThatOfTheSameCamerasTypedIn) {
   EXPECT_THAT(patch.orientation_files,
               ElementsAre(folder_.file("block/opk.csv"), folder_.file("block/cameras.yaml")));
   EXPECT_THAT(patch.decisions, ElementsAre(folder_.file("block/opk.csv") +
-                                           ": Angles are in deg, as the table says."));
+                                           ": Angles are in deg (stated in the table)."));
   EXPECT_THAT(patch.warnings, IsEmpty());
 }
 
@@ -137,7 +137,7 @@ TEST_F(PatchOfOrientation, FindsImagesByTheNameThatIsStated) {
 TEST_F(PatchOfOrientation, NamesAnImageThatIsNotThereAndTheNearest) {
   EXPECT_THAT(refusal_of("  - path: frames/lefty.tif\n  - path: frames/right.tif\n"),
               AllOf(HasSubstr("patch.yaml: line 6: orientation " + folder_.file("block/opk.csv")),
-                    HasSubstr("has no image lefty.tif; the nearest names are left, right, third")));
+                    HasSubstr("has no image lefty.tif; similar names: left, right, third")));
 }
 
 TEST_F(PatchOfOrientation, NamesTheFileOfACameraThatIsMissing) {
@@ -146,8 +146,8 @@ TEST_F(PatchOfOrientation, NamesTheFileOfACameraThatIsMissing) {
       fmt::format("id: 1\nheight_range: [250, 300]\norientation: block/opk.csv\nimages:\n{}",
                   kTwoPaths));
   EXPECT_THAT(io_error_of([&] { read_patch(path); }),
-              HasSubstr("block/opk.csv does not state the camera of image left; name a file of "
-                        "cameras by the key cameras"));
+              HasSubstr("block/opk.csv does not define the camera of image left; name a camera "
+                        "file with the key cameras"));
 }
 
 TEST_F(PatchOfOrientation, TakesOrComparesTheReferenceSystem) {
@@ -189,9 +189,9 @@ TEST_F(PatchOfOrientation, NamesTheOrientationIfThatIsDamaged) {
 
 TEST_F(PatchOfOrientation, StatesWhatTheFileLeavesOpen) {
   (void)folder_.write("block/opk.csv", std::string("name,x,y,z,omega,phi,kappa\n") + kTwoRows);
-  EXPECT_THAT(refusal_of("  - path: left.tif\n  - path: right.tif\n"),
-              AllOf(HasSubstr("opk.csv: does not state how its rotations are meant"),
-                    HasSubstr("angles: gon")));
+  EXPECT_THAT(
+      refusal_of("  - path: left.tif\n  - path: right.tif\n"),
+      AllOf(HasSubstr("opk.csv: the rotation convention is ambiguous"), HasSubstr("angles: gon")));
   expect_same_images(read(kTwoPaths, "angles: deg\n"), read(typed_images(), "angles: deg\n"));
   EXPECT_FALSE(read(kTwoPaths, "angles: gon\n")
                    .images[0]
@@ -213,7 +213,7 @@ TEST_F(PatchOfOrientation, AsksThePointsOfItsWholeImages) {
   const std::string path = write(
       "  - path: frames/right.tif\n  - {path: frames/left.tif, window_px: [1, 2]}\n"
       "  - path: frames/fourth.tif\n");
-  EXPECT_THAT(io_error_of([&] { read_patch(path, find); }), HasSubstr("how its rotations"));
+  EXPECT_THAT(io_error_of([&] { read_patch(path, find); }), HasSubstr("the rotation convention"));
   ASSERT_THAT(asked, SizeIs(2));
   EXPECT_FALSE(asked[0]);
   EXPECT_EQ(asked[1], folder_.file("frames/right.tif"));
@@ -232,13 +232,13 @@ TEST_F(PatchOfOrientation, RefusesKeysThatDoNotGoTogether) {
   };
   for (const char* key : {"cameras", "angles", "rotation", "matrix"}) {
     EXPECT_THAT(refusal_of_patch(fmt::format("{}: x\nimages: []\n", key)),
-                HasSubstr(fmt::format("line 3: {0} needs orientation", key)));
+                HasSubstr(fmt::format("line 3: {0} requires orientation", key)));
   }
   EXPECT_THAT(refusal_of_patch("orientation: block/opk.csv\ncolmap: sparse\n"),
-              HasSubstr("orientation needs images, not colmap"));
+              HasSubstr("orientation requires images, not colmap"));
   EXPECT_THAT(refusal_of_patch("images:\n  - {id: a, path: a.tif}\n"),
-              HasSubstr("or the orientation of the patch"));
-  EXPECT_THAT(refusal_of(typed_images(", name: right")), HasSubstr("name needs an orientation"));
+              HasSubstr("or an orientation for the patch"));
+  EXPECT_THAT(refusal_of(typed_images(", name: right")), HasSubstr("name requires an orientation"));
 }
 
 TEST_F(PatchOfOrientation, RecordsTheFilesOfAColmapModel) {
@@ -266,9 +266,9 @@ TEST_F(PatchOfOrientation, TakesTheFilesOfAFolderThatItKnows) {
   ASSERT_THAT(patch.warnings, SizeIs(1));
   EXPECT_THAT(patch.warnings[0], AllOf(HasSubstr("1 of 3 files"), HasSubstr("frames/other.tif")));
   (void)folder_.write("frames/left.png", "x");
-  EXPECT_THAT(refusal_of("  frames\n"),
-              AllOf(HasSubstr("has one image, left, for both"), HasSubstr("narrow the pattern")));
-  EXPECT_THAT(refusal_of("  block\n"), HasSubstr("holds no image"));
+  EXPECT_THAT(refusal_of("  frames\n"), AllOf(HasSubstr("has only one image, left, for both"),
+                                              HasSubstr("narrow the pattern")));
+  EXPECT_THAT(refusal_of("  block\n"), HasSubstr("has no image"));
 }
 
 TEST_F(PatchOfOrientation, TellsImagesOfOneNameInTwoFoldersApart) {
@@ -291,7 +291,7 @@ TEST_F(PatchOfOrientation, MayHaveImagesInOnePlaceIfTheAreaChooses) {
                       std::string(kTableHead) + kTwoRows + "oblique,513300,5403010,1502,30,0,91\n");
   for (const char* name : {"left.tif", "right.tif", "oblique.tif"})
     (void)folder_.write(std::string("frames/") + name, "x");
-  EXPECT_THAT(refusal_of("  frames\n"), HasSubstr("are in one place"));
+  EXPECT_THAT(refusal_of("  frames\n"), HasSubstr("have the same position"));
   const PatchFile patch = read("  frames\n", "area: [513100, 5403000, 513200, 5403100]\n");
   EXPECT_TRUE(patch.chooses_images);
   EXPECT_THAT(patch.images, SizeIs(3));
@@ -335,13 +335,13 @@ TEST(ImageNames, RefusesNamesThatSeveralImagesOrNoneHave) {
     return std::string();
   };
   EXPECT_EQ(refusal({"a/1.tif", "b/1.tif"}, "1.tif"),
-            "has 2 images that 1.tif may mean, among them a/1.tif and b/1.tif; state one by the "
+            "has 2 images that could be 1.tif, such as a/1.tif and b/1.tif; select one with the "
             "key name");
   EXPECT_EQ(refusal({"a/1.tif", "b/1.tif"}, "a/1.tif"), "");
   EXPECT_THAT(refusal({"1.tif", "1.jpg"}, "1.png"), HasSubstr("has 2 images"));
-  EXPECT_EQ(refusal({"7.12", "7.13"}, "7"), "has no image 7; the nearest names are 7.12, 7.13");
+  EXPECT_EQ(refusal({"7.12", "7.13"}, "7"), "has no image 7; similar names: 7.12, 7.13");
   EXPECT_EQ(refusal({"far away", "img_4", "img_1", "img_12"}, "img_2"),
-            "has no image img_2; the nearest names are img_4, img_1, img_12");
+            "has no image img_2; similar names: img_4, img_1, img_12");
 }
 
 TEST(PatchOfDroneImages, HasTheCamerasOfTheReconstruction) {

@@ -99,9 +99,9 @@ TEST(ReadPatch, TakesAnInteriorOrientationInPixels) {
   EXPECT_TRUE(in_px.image_from_world.isApprox(in_mm.image_from_world, 1e-14));
   EXPECT_EQ(in_px.interior->distortion.k1, 0.01);
   EXPECT_THAT(error_of(patch_with("pixel_size_um: 12", "focal_length_px: [10000, 10000]")),
-              HasSubstr("focal_length_mm stands beside no focal_length_px"));
+              HasSubstr("focal_length_mm cannot be combined with focal_length_px"));
   EXPECT_THAT(error_of(patch_with("principal_point_mm: [0, 0]", "principal_point_px: [0, 0]")),
-              HasSubstr("principal_point_px needs focal_length_px"));
+              HasSubstr("principal_point_px requires focal_length_px"));
   EXPECT_THAT(error_of(patch_with(
                   "focal_length_mm: 120, pixel_size_um: 12, size_px: [7680, 13824], "
                   "principal_point_mm: [0, 0]",
@@ -136,18 +136,20 @@ TEST(ReadPatch, TakesJson) {
 }
 
 TEST(ReadPatch, NamesUnknownKeysWithTheirLine) {
-  EXPECT_THAT(error_of(patch_with("lidar:", "lidra:")),
-              HasSubstr("patch.yaml: line 16: unknown key 'lidra', the nearest is 'lidar'; known "
-                        "keys: id, crs, "));
+  EXPECT_THAT(
+      error_of(patch_with("lidar:", "lidra:")),
+      HasSubstr(
+          "patch.yaml: line 16: unknown key 'lidra', did you mean 'lidar'? known keys: id, crs, "));
   EXPECT_THAT(error_of(patch_with("path: right", "file: right")),
-              HasSubstr("line 12: unknown key 'file', the nearest is 'id'; known keys: id, path, "
+              HasSubstr("line 12: unknown key 'file', did you mean 'id'? known keys: id, path, "
                         "projection_matrix"));
   EXPECT_THAT(
       error_of(patch_with("k1:", "K1:")),
-      HasSubstr("line 13: unknown key 'K1', the nearest is 'k1'; known keys: focal_length_mm, "));
-  EXPECT_THAT(error_of(patch_with("position_m", "position")),
-              HasSubstr("line 14: unknown key 'position', the nearest is 'position_m'; known keys: "
-                        "position_m, "));
+      HasSubstr("line 13: unknown key 'K1', did you mean 'k1'? known keys: focal_length_mm, "));
+  EXPECT_THAT(
+      error_of(patch_with("position_m", "position")),
+      HasSubstr(
+          "line 14: unknown key 'position', did you mean 'position_m'? known keys: position_m, "));
 }
 
 TEST(ReadPatch, NamesWhatIsWrongWithItsLine) {
@@ -159,8 +161,8 @@ TEST(ReadPatch, NamesWhatIsWrongWithItsLine) {
   for (const Case& c : {
            Case{"id: \"1\"\n", "", "key 'id' is missing"},
            Case{"height_range: [250, 300]\n", "", "key 'height_range' is missing"},
-           Case{"[250, 300]", "[300, 250]", "line 3: height_range = [300, 250]; the lowest"},
-           Case{"[250, 300]", "[250, 250]", "line 3: height_range = [250, 250]; the lowest"},
+           Case{"[250, 300]", "[300, 250]", "line 3: height_range = [300, 250]; must be [lowest"},
+           Case{"[250, 300]", "[250, 250]", "line 3: height_range = [250, 250]; must be [lowest"},
            Case{"[250, 300]", "[250]", "line 3: height_range must be a list of 2 numbers"},
            Case{"[250, 300]", "[250, high]", "height_range = high; must be a finite number"},
            Case{"EPSG:25832+7837", "EPSG:1", "line 2: crs: "},
@@ -173,17 +175,17 @@ TEST(ReadPatch, NamesWhatIsWrongWithItsLine) {
            Case{"focal_length_mm: 120", "focal_length_mm: 0", "line 13: focal_length_mm = 0"},
            Case{"[7680, 13824]", "[7680]", "size_px must be a list of 2 numbers"},
            Case{"id: right", "id: left", "two images have the id left"},
-           Case{"id: left", "id: left\n    id: left", "key 'id' is given twice"},
-           Case{"path: right.tif", "path: [a, b]", "line 12: path must be a text"},
+           Case{"id: left", "id: left\n    id: left", "key 'id' appears twice"},
+           Case{"path: right.tif", "path: [a, b]", "line 12: path must be a string"},
            Case{"lidar:", "colmap: sparse/0\nlidar:", "one of the keys images and colmap"},
            Case{"height_range:", "height_range: [", "line 4: "},
            Case{"[250, 300]", "high", "height_range = high; must be [lowest, highest] or auto"},
            Case{"lidar:", "surface_model: dsm.tif\nlidar:",
-                "surface_model serves height_range: auto"},
-           Case{"lidar:", "area: [0, 0, 0, 9]\nlidar:", "smaller value first"},
+                "surface_model is only used with height_range: auto"},
+           Case{"lidar:", "area: [0, 0, 0, 9]\nlidar:", "min <= max"},
            Case{"lidar:", "area: [0, 0, 9]\nlidar:", "area must be a list of 4 numbers"},
            Case{"lidar:", "area: none.gpkg\nlidar:", "none.gpkg: does not exist"},
-           Case{"lidar:", "max_views: 3\nlidar:", "max_views needs area"},
+           Case{"lidar:", "max_views: 3\nlidar:", "max_views requires area"},
            Case{"lidar:", "area: [0, 0, 9, 9]\nmax_views: 3\nlidar:", "are all used"},
            Case{"[3000, 6000]", "[3000, 6000, 1, 5]",
                 "window_px = [3000, 6000, 1, 5]; must be whole"},
@@ -197,8 +199,8 @@ TEST(ReadPatch, NamesWhatIsWrongWithItsLine) {
            Case{"lidar:", "segments: {rigth: a.csv}\nlidar:",
                 "line 16: unknown key 'rigth', the nearest is 'right'"},
            Case{"lidar:", "segments: {left: a.csv, left: b.csv}\nlidar:",
-                "key 'left' is given twice"},
-           Case{"lidar:", "segment_sigma_px: 1\nlidar:", "segment_sigma_px needs segments"},
+                "key 'left' appears twice"},
+           Case{"lidar:", "segment_sigma_px: 1\nlidar:", "segment_sigma_px requires segments"},
            Case{"lidar:", "segments: {left: a.csv}\nsegment_sigma_px: 0\nlidar:",
                 "line 17: segment_sigma_px = 0; must be positive"},
        }) {
@@ -269,8 +271,8 @@ TEST(ReadPatch, RefusesTwoCamerasInOnePlace) {
   const std::string head = "id: 1\nheight_range: [0, 1]\nimages:\n";
   EXPECT_THAT(error_of(head + std::regex_replace(image, std::regex("ID"), "a") +
                        std::regex_replace(image, std::regex("ID"), "b")),
-              HasSubstr("the cameras of a and b are in one place"));
-  EXPECT_THAT(error_of(head + image), HasSubstr("1 images; at least two are needed"));
+              HasSubstr("the cameras of a and b have the same position"));
+  EXPECT_THAT(error_of(head + image), HasSubstr("1 images; at least two are required"));
 }
 
 TEST(ReadPatch, RefusesFilesThatAreNoPatch) {

@@ -129,7 +129,7 @@ TEST(SegmentsFile, RejectsASegmentWithoutLengthUncertaintyOrScale) {
   segments[0].line.segment.end = segments[0].line.segment.start;
   write_segments(folder.file("length.csv"), segments);
   EXPECT_THAT(io_error_of([&] { read_segments(folder.file("length.csv")); }),
-              HasSubstr("start and end are one"));
+              HasSubstr("start and end are identical"));
 }
 
 constexpr double kOwnSigma_px = 0.4;
@@ -185,7 +185,7 @@ TEST(OwnSegmentsFile, FaultsNameLineValueAndRule) {
   EXPECT_THAT(error_of(good + "0,1,2,30,40\n"), HasSubstr("lsd.csv:3: id = 0, must be 1"));
   EXPECT_THAT(error_of(good + "1,1,two,30,40\n"), HasSubstr("lsd.csv:3: y1_px = 'two', must be"));
   EXPECT_THAT(error_of(good + "1,1,inf,30,40\n"), HasSubstr("lsd.csv:3: y1_px = 'inf', must be"));
-  EXPECT_THAT(error_of(good + "1,1,2,1,2\n"), HasSubstr("lsd.csv:3: start and end are one"));
+  EXPECT_THAT(error_of(good + "1,1,2,1,2\n"), HasSubstr("lsd.csv:3: start and end are identical"));
   EXPECT_THAT(error_of(good + "1,1,2,30\n"), HasSubstr("lsd.csv:3: 4 fields, the header has 5"));
   EXPECT_THAT(
       error_of("0,1,2,1004.5,4\n"),

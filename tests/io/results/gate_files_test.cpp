@@ -80,15 +80,15 @@ TEST_F(ReadGates, NamesTheLineTheNearestAndTheKnownKeysForAnUnknownOne) {
   EXPECT_THAT(
       message,
       HasSubstr(
-          "gates.yaml: line 2: unknown key 'maximum', the nearest is 'max'; known keys: patch, "));
+          "gates.yaml: line 2: unknown key 'maximum', did you mean 'max'? known keys: patch, "));
   EXPECT_THAT(message, HasSubstr("max_increase_over_baseline"));
   EXPECT_THAT(message_of("gate: []"),
-              HasSubstr("unknown key 'gate', the nearest is 'gates'; known keys: n_min, gates"));
+              HasSubstr("unknown key 'gate', did you mean 'gates'? known keys: n_min, gates"));
   EXPECT_THAT(message_of("gates: [{max_increase_over_base: 1}]"),
               HasSubstr("the nearest is 'max_increase_over_baseline';"));
   EXPECT_THAT(message_of("gates: [{max_ratio_to: {clas: aligned}}]"),
-              HasSubstr("unknown key 'clas', the nearest is 'class'; known keys: class"));
-  EXPECT_THAT(message_of("gates: [{max: 1, max: 2}]"), HasSubstr("key 'max' is given twice"));
+              HasSubstr("unknown key 'clas', did you mean 'class'? known keys: class"));
+  EXPECT_THAT(message_of("gates: [{max: 1, max: 2}]"), HasSubstr("key 'max' appears twice"));
 }
 
 TEST_F(ReadGates, RejectsValuesOfTheWrongType) {

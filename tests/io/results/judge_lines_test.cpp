@@ -70,7 +70,7 @@ TEST(JudgeLines, InMemoryGivesTheDistancesOfTheFiles) {
     EXPECT_NEAR(*judged[i].mean_distance_m, *expected[i].mean_distance_m, kRounding_m);
   }
   for (const std::string& warning : in_memory.warnings) {
-    EXPECT_THAT(warning, Not(HasSubstr("its coordinate unit is taken as")));
+    EXPECT_THAT(warning, Not(HasSubstr("assuming that its coordinates are in")));
   }
 }
 

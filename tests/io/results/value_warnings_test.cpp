@@ -80,7 +80,7 @@ TEST(ValueWarnings, NameLinesThatDecideTheRms) {
   Judged judged(0.001, 0.04);
   judged.evaluation.lines[2].mean_distance_m = 40.0;
   EXPECT_THAT(judged.warnings(),
-              ElementsAre(AllOf(HasSubstr("1 of 7 lines lie more than 20 m beside their planes"),
+              ElementsAre(AllOf(HasSubstr("1 of 7 lines are more than 20 m from their planes"),
                                 HasSubstr("0.040 m without them: 2;"))));
 }
 

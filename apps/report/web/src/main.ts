@@ -24,13 +24,13 @@ import { provenance } from './views/provenance';
 /** Sentences on the points and on what became of the lines. */
 function factsOf(patch: Patch): string {
   const { points } = patch;
-  const cloud = points ? `${points.n_all.toLocaleString('en')} LIDAR points of ${points.n_read.toLocaleString('en')} read, ${fixed(points.per_m2, 1)} per m²${points.no_data_share === null ? '' : `, ${percent(points.no_data_share)} % of the area without any`}. ` : '';
+  const cloud = points ? `${points.n_all.toLocaleString('en')} LIDAR points of ${points.n_read.toLocaleString('en')} read, ${fixed(points.per_m2, 1)} per m²${points.no_data_share === null ? '' : `, ${percent(points.no_data_share)} % of the area without points`}. ` : '';
   const unmatched = Object.entries(patch.images?.n_unmatched ?? {}).map(([reason, n]) => `${words(reason)} ${n}`);
   return cloud + patch.methods.map((m) => {
     const kinds = (kind: string): number => m.lines.filter((l) => l.kind === kind).length;
     const unconfirmed = m.lines.filter(isUnconfirmed).length;
     return `${m.name}: ${m.lines.length} lines, ${kinds('step')} steps, ${kinds('ridge')} ridges${unconfirmed > 0 ? `, ${unconfirmed} unconfirmed` : ''}. `;
-  }).join('') + (unmatched.length > 0 ? `Left segments without a match: ${unmatched.join(', ')}.` : '');
+  }).join('') + (unmatched.length > 0 ? `Unmatched segments of the first image: ${unmatched.join(', ')}.` : '');
 }
 
 /** An evaluation of line files has no panel of images unless a patch names them. */

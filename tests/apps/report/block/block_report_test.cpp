@@ -107,7 +107,7 @@ TEST(BlockReport, RefusesADamagedPlan) {
   const BlockFixture block;
   (void)block.folder().write("plan.json", R"({"plan": 3})");
   EXPECT_THAT(io::io_error_of([&] { (void)write_block_report(block.path(), std::nullopt); }),
-              HasSubstr("a file of its results is damaged"));
+              HasSubstr("a results file is damaged"));
 }
 
 TEST(PatchPage, HasItsLinesItsRowAndItsNeighbours) {

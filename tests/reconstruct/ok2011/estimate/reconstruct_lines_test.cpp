@@ -341,7 +341,7 @@ TEST(ReconstructLines, RejectsWrongInput) {
     options.lines.method = method;
     EXPECT_EQ(rejected(good, options),
               std::string("reconstruct_lines: method = ") + name(method) +
-                  ", whose lines are not of tracks alone; see plane_lines()");
+                  ", whose lines do not only come from tracks; see plane_lines()");
   }
   const auto rejected_registration = [&](const Registration& of_first) {
     std::vector<Registrations> registrations(good.matches.size(), Registrations(2));

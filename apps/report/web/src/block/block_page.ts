@@ -37,7 +37,7 @@ export class BlockPage {
 
   private failures(): HTMLElement | null {
     const n = this.report.patches.length - this.done.length;
-    return n === 0 ? null : h('p', { class: 'message', id: 'failures' }, h('strong', {}, `${n} of ${countOf(this.report.patches.length, 'patch')} failed`), '. ', h('a', { href: '#failed' }, 'Their reasons'), ' are below.');
+    return n === 0 ? null : h('p', { class: 'message', id: 'failures' }, h('strong', {}, `${n} of ${countOf(this.report.patches.length, 'patch')} failed`), '. ', h('a', { href: '#failed' }, 'The reasons'), ' are listed below.');
   }
 
   private show(): void {
@@ -77,13 +77,13 @@ export class BlockPage {
     const files = (role: string): string => (report.run.inputs ?? []).filter((i) => i.role === role).map((i) => i.path).join(', ');
     const images = (report.run.inputs ?? []).filter((i) => i.role === 'image').length;
     const n = report.patches.length;
-    const withoutViews = report.n_without_views > 0 ? `; ${report.n_without_views} more squares are seen by fewer than two images` : '';
+    const withoutViews = report.n_without_views > 0 ? `; ${report.n_without_views} more squares are visible in fewer than two images` : '';
     const rows: [string, string | undefined][] = [
       ['Project', report.run.page?.project], ['Operator', report.run.page?.operator], ['Date', report.run.page?.date],
-      ['Product', `3D lines by method ${report.methods[0]?.name ?? ''}, of ${images} images`],
+      ['Product', `3D lines by method ${report.methods[0]?.name ?? ''} from ${images} images`],
       ['Patches', `${countOf(n, 'patch')} of ${report.patch_size_m} m with ${report.overlap_m} m of overlap; ${count(this.done.length)} done, ${count(n - this.done.length)} failed${withoutViews}`],
       ['Reference', files('cloud') || 'none'], ['True lines', files('reference')],
-      ['CRS', report.crs], ['Corner', `${report.origin_m[0]}, ${report.origin_m[1]} m, in the south-west`],
+      ['CRS', report.crs], ['Corner', `${report.origin_m[0]}, ${report.origin_m[1]} m (south-west)`],
       ['Made with', `ridgeline ${report.run.versions?.['ridgeline'] ?? ''}`],
     ];
     return h('dl', { id: 'facts' }, ...rows.flatMap(([name, value]) => (value ? [h('dt', {}, name), h('dd', {}, value)] : [])));

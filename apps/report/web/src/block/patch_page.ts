@@ -65,7 +65,7 @@ export class PatchPage {
     const point = (line: LineRow | null, isFromPlan: boolean): void => {
       for (const [l, element] of drawn) element.setAttribute('stroke', l === line ? selectionColour : colourOf(l));
       if (isFromPlan) table.mark(line);
-      pointed.textContent = line === null ? 'Point at a line to see what it is.' : `Line ${idOf(line)}: ${distanceOf(line) === null ? words(line[3] || 'not judged') : `${metres(distanceOf(line))} m`}, ${words(line[1])}${line[2] ? `, ${words(line[2])}` : ''}, ${fixed(line[4], 2)} m long.`;
+      pointed.textContent = line === null ? 'Point at a line for details.' : `Line ${idOf(line)}: ${distanceOf(line) === null ? words(line[3] || 'not judged') : `${metres(distanceOf(line))} m`}, ${words(line[1])}${line[2] ? `, ${words(line[2])}` : ''}, ${fixed(line[4], 2)} m long.`;
     };
     this.sheet = new Sheet(this.box(lines), `Lines of patch ${report.id} in plan`, 860, 820);
     this.drawPlan(this.sheet, lines, drawn, point);
@@ -112,7 +112,7 @@ export class PatchPage {
       ['images', report.images.join(', ')],
       ['heights searched', `${fixed(report.height_range_m[0], 1)} – ${fixed(report.height_range_m[1], 1)} m`],
       ['corner', `${report.origin_m[0]}, ${report.origin_m[1]} m (${report.crs})`],
-      ['foreseen', `${fixed(report.foreseen_s, 0)} s of processor time, ${fixed(report.foreseen_mib, 0)} MiB`],
+      ['estimated', `${fixed(report.foreseen_s, 0)} s of CPU time, ${fixed(report.foreseen_mib, 0)} MiB`],
       ['LIDAR', report.points ? `${report.points.n_shown.toLocaleString('en')} points shown, grey from ${report.points.low_m} to ${report.points.high_m} m` : 'not shown'],
     ];
     return h('dl', { id: 'facts' }, ...rows.flatMap(([name, value]) => (value ? [h('dt', {}, name), h('dd', {}, value)] : [])));
@@ -121,7 +121,7 @@ export class PatchPage {
   private fullReport(): HTMLElement {
     const { id } = this.report;
     const note = h('div', { id: 'full-report' }, h('h3', {}, 'With images'));
-    append(note, h('p', {}, 'What its task did, with the time and memory it took, is in ', h('code', {}, `tasks/${id}/run.json`), ' beside the report of the block. The images with their segments and matches are in a report of this patch alone, which reconstructs it again; lines are not judged there. In the folder of the block:'),
+    append(note, h('p', {}, 'Log, run time and memory: ', h('code', {}, `tasks/${id}/run.json`), ' next to the report of the block. For a report with images, segments and matches, reconstruct this patch again, without judging its lines, in the folder of the block:'),
       h('p', {}, h('code', {}, `ridgeline run tasks/${id}/patch.yaml --out FOLDER`)));
     return note;
   }

@@ -33,7 +33,7 @@ export class BlockPlan {
 
   constructor(private readonly report: BlockReport, private method: number) {
     this.figure = this.figures()[0]!;
-    this.sheet = new Sheet(boxOf(report), 'Plan of the patches; arrow keys go from patch to patch, Enter opens a page', 860, 820);
+    this.sheet = new Sheet(boxOf(report), 'Plan of the patches; move with the arrow keys, open a page with Enter', 860, 820);
     this.lines = this.report.patch_size_m * this.sheet.scale < leastForLines ? 'none' : 'gross';
     this.squares = new Squares(this.sheet, report.patches, (i) => this.showInfo(i));
     replace(this.element, h('h2', {}, 'Plan of the patches'), this.controls,
@@ -77,14 +77,14 @@ export class BlockPlan {
     const count = (n: number): string => n.toLocaleString('en');
     const { lines } = this.report.methods[this.method]!;
     const { points } = this.report;
-    const thinned = lines.n_shown < lines.n_all ? `${count(lines.n_shown)} of ${count(lines.n_all)} lines are in this plan; those farthest from the LIDAR planes always are.` : `All ${count(lines.n_all)} lines are in this plan.`;
+    const thinned = lines.n_shown < lines.n_all ? `${count(lines.n_shown)} of ${count(lines.n_all)} lines are shown, including those farthest from the LIDAR planes.` : `All ${count(lines.n_all)} lines are shown.`;
     const relief = this.hasRelief && points ? ` ${count(points.n_shown)} of ${count(points.n_all)} LIDAR points, grey from ${points.low_m} m (dark) to ${points.high_m} m (light).` : '';
     return (this.lines === 'none' ? '' : `Lines: distance from the LIDAR planes${this.lines === 'gross' ? `, those above ${grossFrom_m.toFixed(2)} m` : ''}. ${thinned}`) + relief;
   }
 
   private showInfo(i: number | null): void {
     const patch = i === null ? null : this.report.patches[i]!;
-    replace(this.info, patch ? this.facts(patch) : h('p', { class: 'caption' }, 'Point at a square, or go there by Tab and the arrow keys, to see its figures; click or press Enter to open its page.'));
+    replace(this.info, patch ? this.facts(patch) : h('p', { class: 'caption' }, 'Point at a square, or move to it with Tab and the arrow keys, for its figures; click or press Enter to open its page.'));
   }
 
   private facts(patch: PatchRow): HTMLElement {

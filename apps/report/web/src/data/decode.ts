@@ -15,9 +15,9 @@ export const uint16 = (base64: string): Uint16Array<ArrayBuffer> => new Uint16Ar
 /** The data of the page; throws if this front end does not know its form. */
 export function readData<Data extends { schema: number }>(schema: number): Data {
   const text = document.getElementById('report-data')?.textContent;
-  if (!text) throw new Error('the page holds no data');
+  if (!text) throw new Error('the page has no data');
   const data = JSON.parse(text) as Data;
-  if (data.schema !== schema) throw new Error(`data of schema ${data.schema}, this page knows ${schema}`);
+  if (data.schema !== schema) throw new Error(`data have schema ${data.schema}, this page supports ${schema}`);
   return data;
 }
 

@@ -36,11 +36,11 @@ export function rowsOf(name: string, of: ClassSummary): { name: string; figures:
 
 /** The lines beside the headline. */
 export const placeSentence = (of: { n: number; rms_m: number | null }): string =>
-  `points or the place decided on ${of.n} more ${of.n === 1 ? 'line' : 'lines'}, RMS ${metres(of.rms_m)} m`;
+  `${of.n} more ${of.n === 1 ? 'line' : 'lines'} decided by points or position, RMS ${metres(of.rms_m)} m`;
 
 /** How few lines make a figure what it is. */
 export const halfSentence = (of: Summary): string =>
-  `${of.n_half_of_squares} of ${of.n_evaluated} lines make half of the sum of squares; RMS of the others ${metres(of.rms_without_half_m)} m`;
+  `${of.n_half_of_squares} of ${of.n_evaluated} lines contribute half of the sum of squares; RMS of the others ${metres(of.rms_without_half_m)} m`;
 
 /** The judged lines of the headline that are farthest off, each with its index. */
 export function worstLines(lines: readonly Line[], n: number): { line: Line; index: number }[] {

@@ -31,9 +31,9 @@ export function reasonOf(building: Building): string {
   const shift = x === null || y === null || z === null ? '' : `: ${metres(Math.hypot(x, y))} m in plan, ${metres(z)} m in height`;
   const isContradicted = 2 * (building.judged_area_m2 ?? 0) >= (building.area_m2 ?? Infinity) && (building.rms_m ?? 0) > mostRms_m;
   const text: Record<string, string> = {
-    gone: 'The scan has the ground in its place.',
-    changed: 'The scan has a roof of another shape: too many points over it lie on none of its planes.',
-    'faces missing': 'Too many points over it lie on none of its planes.',
+    gone: 'The scan shows ground in its place.',
+    changed: 'The scan shows another roof shape: too many points above it lie on none of its planes.',
+    'faces missing': 'Too many points above it lie on none of its planes.',
     shifted: `The whole building is displaced${shift}.`,
     'too high': `The whole building is too high${shift}.`,
     'too low': `The whole building is too low${shift}.`,

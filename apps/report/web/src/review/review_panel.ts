@@ -32,8 +32,8 @@ export class ReviewPanel {
     const { pair } = this.state.now;
     if (!images?.areSeveral || !review.pair) return '';
     const name = images.nameOfPair(review.pair);
-    if (pair === 0) return ` The matches are those of the base pair, ${name}; the choice of images above says whose are judged.`;
-    return ` The matches are those of ${name}, ${images.wasMatched(pair) ? 'which the run matched' : 'as tracks join them'}. Their file is a reference for a patch whose first two images are these.`;
+    if (pair === 0) return ` These are the matches of the base pair, ${name}; select other images above.`;
+    return ` These are the matches of ${name}, ${images.wasMatched(pair) ? 'matched by the run' : 'derived from tracks'}. Their file is a reference for a patch that starts with these two images.`;
   }
 
   update(): void {
@@ -46,8 +46,8 @@ export class ReviewPanel {
     const judged = h('p', { id: 'review-counts', role: 'status' },
       `${review.nJudged} of ${review.matches.length} matches judged: ${n.correct} correct, ${n.false} false, ${n.unsure} unsure; ${n.missed} missed added. `
       + `Correctness ${share(n.correct, n.correct + n.false)} %, completeness ${share(n.correct, n.correct + n.missed)} %, quality ${share(n.correct, n.correct + n.false + n.missed)} %.`);
-    replace(this.element, h('h3', {}, 'Checking matches by eye'),
-      h('p', { class: 'caption' }, 'As the matches of the paper’s Table 1 were judged. The state stays in this browser; the exported file is a patch’s reference_matches.' + this.aboutPair()),
+    replace(this.element, h('h3', {}, 'Check matches by eye'),
+      h('p', { class: 'caption' }, 'Judge matches by eye, as the paper did for Table 1. Your progress is kept in this browser; the exported file is the reference_matches of a patch.' + this.aboutPair()),
       h('div', { class: 'controls' },
         review.isActive ? button('Leave review', () => review.stop(), { title: 'r or Escape' }) : button(review.hasBegun ? 'Continue review' : 'Start review', () => review.start(), { id: 'review-start', title: 'r', disabled: review.matches.length === 0 }),
         ...(review.isActive ? this.judging() : []),

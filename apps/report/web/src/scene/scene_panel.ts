@@ -7,7 +7,7 @@ import { words } from '../ui/format';
 import type { LineColouring } from './line_layer';
 import { SceneView } from './scene_view';
 
-const aboutSurface = 'points that dense matching of the first two images knows';
+const aboutSurface = 'points from dense matching of the first two images';
 
 const swatch = (colour: string, text: string): HTMLElement => {
   const mark = h('span', { class: 'swatch', 'aria-hidden': 'true' });
@@ -29,7 +29,7 @@ export class ScenePanel {
   constructor(private readonly state: State) {
     append(this.element, h('h3', {}, '3D view'));
     if (!document.createElement('canvas').getContext('webgl2')) {
-      append(this.element, h('p', { class: 'message', id: 'no-webgl' }, 'This browser gives the page no WebGL, so that the 3D view is missing. fig8.*.png beside this file shows it; tables, charts and images work.'));
+      append(this.element, h('p', { class: 'message', id: 'no-webgl' }, 'The 3D view is missing because WebGL is not available. See fig8.*.png next to this file; tables, charts and images work.'));
       return;
     }
     this.view = new SceneView();
@@ -78,7 +78,7 @@ export class ScenePanel {
     const { points } = patch;
     this.thinned.textContent = !points ? 'No LIDAR points in this report.'
       : points.n_shown < points.n_all ? `Thinned: ${points.n_shown.toLocaleString('en')} of ${points.n_all.toLocaleString('en')} LIDAR points are shown, every ${Math.round(points.n_all / points.n_shown)}th.`
-        : `${points.n_all.toLocaleString('en')} LIDAR points, coloured by the plane that lines beside them were judged by; grey: none.`;
+        : `${points.n_all.toLocaleString('en')} LIDAR points, coloured by the plane used for judging; grey: none.`;
     this.updateLegend();
   }
 

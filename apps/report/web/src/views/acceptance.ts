@@ -65,7 +65,7 @@ function facts(report: Report): HTMLElement {
   const warnings = run.warnings?.length ?? 0;
   const rows: [string, Node | string | undefined][] = [
     ['Project', run.page?.project],
-    [comparedFiles(report).length > 0 ? 'Products' : 'Product', isOfFiles(report) ? files('lines') : `3D lines by method ${methods}${images > 0 ? ` of ${(run.inputs ?? []).filter((i) => i.role === 'image').length} images` : ''}`],
+    [comparedFiles(report).length > 0 ? 'Products' : 'Product', isOfFiles(report) ? files('lines') : `3D lines by method ${methods}${images > 0 ? ` from ${(run.inputs ?? []).filter((i) => i.role === 'image').length} images` : ''}`],
     ['Reference', files('cloud') || files('lidar') || 'none'],
     ['CRS', [...new Set(report.patches.map((p) => p.crs))].join('; ')],
     ['Operator', run.page?.operator],

@@ -32,7 +32,7 @@ export class BuildingPlan {
       content.append(svg('text', { x, y, 'text-anchor': 'middle' }, String(i + 1)));
     });
     const present = verdicts.filter((verdict) => buildings.some((b) => b.verdict === verdict));
-    this.element.append(h('figcaption', {}, h('strong', {}, `Buildings in plan: ${state.method.name}`), '. Colour and dashes: verdict; numbers: the worst, as in the sections below.'),
+    this.element.append(h('figcaption', {}, h('strong', {}, `Buildings in plan: ${state.method.name}`), '. Colour and dashes: verdict; numbers: the worst buildings, as in the sections below.'),
       drawing, h('p', { class: 'legend' }, ...present.map((verdict) => swatch(lookOf(verdict).colour, verdict, lookOf(verdict).dash !== undefined))));
   }
 

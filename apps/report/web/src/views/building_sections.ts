@@ -92,7 +92,7 @@ export function buildingSections(state: State): HTMLElement[] {
   if (worst.length === 0) return [];
   const positions = points ? uint16(points.positions) : null;
   return [
-    h('h3', {}, `The ${worst.length === 1 ? 'building that is' : `${worst.length} buildings that are`} farthest off`),
+    h('h3', {}, `The ${worst.length === 1 ? 'worst building' : `${worst.length} worst buildings`}`),
     h('div', { id: 'building-sections' }, ...worst.map((building, i) => {
       const edges = lines.filter((l) => l.building === building.id && l.start && l.end);
       const index = lines.findIndex((l) => l.building === building.id);
@@ -100,6 +100,6 @@ export function buildingSections(state: State): HTMLElement[] {
         h('figcaption', {}, `${i + 1}. `, button(building.id, () => state.set({ line: index < 0 ? null : index }), { class: 'plain', title: 'select its first line' }), `: ${building.verdict}. ${reasonOf(building)}`),
         points && positions ? section(building, edges, points, positions) : null);
     })),
-    h('p', { class: 'caption' }, 'Sections through the middle, across the longest edge: the model as a line, laser points within 0.75 m as dots.'),
+    h('p', { class: 'caption' }, 'Sections through the middle, across the longest edge: the model as a line, LIDAR points within 0.75 m as dots.'),
   ];
 }

@@ -24,13 +24,13 @@ function columns(select: (line: string) => void): SortedColumn<Building>[] {
     { key: 'verdict', title: 'verdict', value: (b) => b.verdict },
     { key: 'points', title: 'points, m', number: true, value: (b) => b.points_rms_m, cell: (b) => metres(b.points_rms_m), hint: 'RMS distance of its points from its nearest surface' },
     { key: 'rms', title: 'RMS, m', number: true, value: (b) => b.rms_m, cell: (b) => metres(b.rms_m), hint: 'of its lines' },
-    { key: 'lines', title: 'lines', number: true, value: (b) => b.n_judged_lines, cell: (b) => `${b.n_judged_lines}/${b.n_lines}`, hint: 'judged, of all' },
+    { key: 'lines', title: 'lines', number: true, value: (b) => b.n_judged_lines, cell: (b) => `${b.n_judged_lines}/${b.n_lines}`, hint: 'judged / all' },
     { key: 'worst', title: 'worst line, m', number: true, value: (b) => b.worst_distance_m,
       cell: (b) => (b.worst_line === '' ? missing : button(metres(b.worst_distance_m), () => select(b.worst_line), { class: 'plain', title: `select line ${b.worst_line}` })) },
     { key: 'ridge', title: 'ridge, m', number: true, value: (b) => b.ridge_height_m, cell: (b) => metres(b.ridge_height_m), hint: 'height of its ridges, model minus scan' },
     { key: 'eave', title: 'eave, m', number: true, value: (b) => b.eave_height_m, cell: (b) => metres(b.eave_height_m), hint: 'height of its eaves, model minus scan' },
-    { key: 'faces', title: 'faces', number: true, value: (b) => b.n_judged_faces, cell: (b) => `${b.n_judged_faces}/${b.n_faces}`, hint: 'judged, of all' },
-    { key: 'unexplained', title: 'unexplained, %', number: true, value: (b) => b.unexplained_share, cell: (b) => share(b.unexplained_share), hint: 'points over it that lie on none of its planes' },
+    { key: 'faces', title: 'faces', number: true, value: (b) => b.n_judged_faces, cell: (b) => `${b.n_judged_faces}/${b.n_faces}`, hint: 'judged / all' },
+    { key: 'unexplained', title: 'unexplained, %', number: true, value: (b) => b.unexplained_share, cell: (b) => share(b.unexplained_share), hint: 'points above it on none of its planes' },
     { key: 'reason', title: 'reason', value: reasonOf },
   ];
 }
@@ -50,6 +50,6 @@ export function buildingsOf(state: State): HTMLElement[] {
     new BuildingPlan(state).element,
     table.element,
     ...buildingSections(state),
-    h('p', { class: 'caption' }, 'faces.csv has each face; the map judged.*.gpkg has buildings and faces as layers.'),
+    h('p', { class: 'caption' }, 'faces.csv lists every face; the map judged.*.gpkg has buildings and faces as layers.'),
   ];
 }

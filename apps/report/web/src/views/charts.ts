@@ -73,7 +73,7 @@ function histogram(lines: readonly Line[]): Chart {
     return n;
   });
   const stepped = uPlot.paths.stepped?.({ align: 1 });
-  return { id: 'histogram', title: 'Histogram of distances', caption: 'Average orthogonal distance of each evaluated line; bins of equal ratio, the first and last without limit.',
+  return { id: 'histogram', title: 'Histogram of distances', caption: 'Average orthogonal distance of each evaluated line; logarithmic bins, the first and last open.',
     x: { label: 'distance, m', log: true }, y: { label: 'lines' },
     series: classes.map((c) => ({ ...curve(words(c), classColour(c), dashOf(c)), fill: classColour(c) + '30', ...(stepped ? { paths: stepped } : {}) })),
     data: [edges, ...counts] };
@@ -85,7 +85,7 @@ function cumulative(lines: readonly Line[]): Chart {
     const x = ascending(evaluated(members).map((l) => Math.max(kMinDistance_m, l.mean_distance_m)));
     return { x, y: x.map((_, i) => (100 * (i + 1)) / x.length) };
   });
-  return { id: 'cumulative', title: 'Cumulative distances', caption: 'Share of the evaluated lines of a class within a distance.',
+  return { id: 'cumulative', title: 'Cumulative distances', caption: 'Share of the evaluated lines of each class within a distance.',
     x: { label: 'distance, m', log: true }, y: { label: '% of lines', range: [0, 100] },
     series: [...classes.map((c) => curve(words(c), classColour(c), dashOf(c))), curve('total', ink(), [2, 3])], data: join(sets) };
 }
@@ -98,7 +98,7 @@ function quantiles(lines: readonly Line[]): Chart {
   const limit = Math.max(6 * spread, 0.01);
   const beyond = values.filter((v) => Math.abs(v - centre) > limit).length;
   return { id: 'qq', title: 'Q-Q plot of signed distances', caption: `Against a normal distribution with median ${fixed(centre, 3)} m and NMAD ${fixed(spread, 3)} m (line). `
-    + (beyond > 0 ? `${beyond} lines farther than 6 NMAD are drawn at the border.` : 'No line is farther than 6 NMAD.'),
+    + (beyond > 0 ? `${beyond} lines beyond 6 NMAD are drawn at the border.` : 'No line is beyond 6 NMAD.'),
   x: { label: 'normal quantile' }, y: { label: 'signed distance, m', range: [centre - 1.05 * limit, centre + 1.05 * limit] },
   series: [{ label: 'lines', stroke: ink(), width: 0, paths: () => null, points: { show: true, size: 5, stroke: ink(), fill: 'transparent' } }, curve('normal', reference(), [6, 4], 1.5)],
   data: [x, values.map((v) => Math.min(centre + limit, Math.max(centre - limit, v))), x.map((q) => centre + spread * q)] };
@@ -116,7 +116,7 @@ function againstAngle(lines: readonly Line[]): Chart {
   });
   const x = logSpaced(0.02, 90, 80);
   return { id: 'angle', title: 'Distance against epipolar angle', caption: Number.isFinite(k)
-    ? `Curve: ${fixed(k, 4)} m / sin(angle), as the intersection of projection planes predicts; its factor is the median of distance · sin(angle) over lines that are not aligned.` : '',
+    ? `Curve: ${fixed(k, 4)} m / sin(angle), as predicted for the intersection of projection planes; the factor is the median of distance · sin(angle) over not_aligned lines.` : '',
   x: { label: 'angle to the epipolar line, °', log: true }, y: { label: 'distance, m', log: true },
   series: [...classes.map(cloud), curve('1/sin', ink(), [2, 3], 1.5)],
   data: join([...sets, { x, y: x.map((a) => (Number.isFinite(k) ? k / sine(a) : null)) }]) };
@@ -131,7 +131,7 @@ function againstTruth(lines: readonly Line[]): Chart | null {
     return { x: members.map((l) => Math.max(kMinDistance_m, l.mean_distance_m)), y: members.map((l) => Math.max(kMinDistance_m, l.true_error_m ?? 0)) };
   });
   const diagonal = logSpaced(1e-3, 1e1, 20);
-  return { id: 'truth', title: 'True error against LIDAR distance', caption: `${used.length} lines that lie on a true line in both images. Above the diagonal: shifts that the distance from a plane cannot see.`,
+  return { id: 'truth', title: 'True error against LIDAR distance', caption: `${used.length} lines that lie on a true line in both images. Above the diagonal: shifts that the distance from a plane cannot show.`,
     x: { label: 'distance from LIDAR planes, m', log: true }, y: { label: 'true error, m', log: true },
     series: [...classes.map(cloud), curve('equal', reference(), [6, 4], 1.5)], data: join([...sets, { x: diagonal, y: diagonal }]) };
 }
@@ -140,7 +140,7 @@ function normalised(lines: readonly Line[]): Chart | null {
   const z2 = ascending(evaluated(lines).filter((l) => l.z !== null).map((l) => Math.max(1e-4, (l.z ?? 0) ** 2)));
   if (z2.length === 0) return null;
   const x = logSpaced(1e-4, Math.max(20, z2[z2.length - 1]!), 120);
-  return { id: 'chi-square', title: 'Normalised errors against chi-square', caption: 'Share of lines with a normalised squared error z² up to a value, and of chi-square with one degree of freedom. A curve on the right: sigmas are too small.',
+  return { id: 'chi-square', title: 'Normalised errors against chi-square', caption: 'Cumulative share of lines by normalised squared error z², and chi-square with one degree of freedom. A curve to the right of it means that sigmas are too small.',
     x: { label: 'z²', log: true }, y: { label: '% of lines', range: [0, 100] },
     series: [curve('lines', okabeIto.blue), curve('chi-square', ink(), [6, 4], 1.5)],
     data: join([{ x: z2, y: z2.map((_, i) => (100 * (i + 1)) / z2.length) }, { x, y: x.map((v) => 100 * chiSquare1(v)) }]) };
@@ -183,7 +183,7 @@ export class Charts {
     this.plots = [];
     const lines = method.lines;
     if (evaluated(lines).length === 0) {
-      this.element.replaceChildren(h('h3', {}, 'Charts'), h('p', { class: 'caption' }, 'No line was evaluated: there is nothing to draw.'));
+      this.element.replaceChildren(h('h3', {}, 'Charts'), h('p', { class: 'caption' }, 'No line was evaluated.'));
       return;
     }
     this.charts = [histogram(lines), cumulative(lines), quantiles(lines),

@@ -16,8 +16,8 @@ const columns: Column<DecoyFigure>[] = [
 
 export function decoys(method: Method): HTMLElement | null {
   if (!method.decoys?.length) return null;
-  return h('details', {}, h('summary', {}, 'Would wrong lines be found?'),
-    h('p', { class: 'caption' }, `Lines of ${method.name} were moved on purpose and judged again; so many of them pass for right ones. This does not say how many lines are wrong. `
-      + 'Height: up and down. Across: in plan; a plane does not see a shift along itself, so many pass. Match: along the rays of the first image, where a false match would put them.'),
+  return h('details', {}, h('summary', {}, 'Would wrong lines be detected?'),
+    h('p', { class: 'caption' }, `Lines of ${method.name} were moved on purpose and judged again; the table shows how many pass as correct. It does not show how many lines are wrong. `
+      + 'Height: up and down. Across: in plan; a plane cannot detect a shift within itself, so many pass. Match: along the rays of the first image, as a false match would.'),
     table(columns, method.decoys));
 }

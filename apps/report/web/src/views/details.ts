@@ -33,7 +33,7 @@ function facts(line: Line, patch: Patch, images: PatchImages | null): HTMLElemen
     const { horizontal_m, vertical_m, covariance_m2 } = line.displacement;
     rows.push(['horizontal', `${plusMinus(horizontal_m, covariance_m2[0][0])} across in plan`], ['vertical', `${plusMinus(vertical_m, covariance_m2[1][1])} at the same place in plan`]);
   } else if (typeof line.height_if_vertical_m === 'number') {
-    rows.push(['vertical', `${metres(line.height_if_vertical_m)} m if the offset were vertical: one plane cannot tell`]);
+    rows.push(['vertical', `${metres(line.height_if_vertical_m)} m if the offset were vertical; a single plane cannot show its direction`]);
   }
   if (typeof line.true_error_m === 'number') rows.push(['true error', `${metres(line.true_error_m)} m`]);
   if (line.construction) rows.push(['made by', words(line.construction) + (line.n_points ? ` with ${line.n_points} artificial points` : '')]);
@@ -113,8 +113,8 @@ export class Details {
 /** What the lines in the chips are. */
 function legendOf(line: Line, images: PatchImages): string {
   const [first, second] = images.viewsOfLine(line).map((v) => images.images.views[v]!.id);
-  const epipolar = second === undefined ? (first === undefined ? '' : `; violet: epipolar lines of the ends in ${first}`) : `; violet: epipolar lines of the ends in ${first}, in ${first} itself of those in ${second}`;
-  return `Magenta: segments of the images; black and white: the 3D line as the cameras see it${epipolar}.`;
+  const epipolar = second === undefined ? (first === undefined ? '' : `; violet: epipolar lines of the ends in ${first}`) : `; violet: epipolar lines of the ends in ${first} (in ${first}: of those in ${second})`;
+  return `Magenta: image segments; black and white: projected 3D line${epipolar}.`;
 }
 
 /** The box around segments, as one that runs across it. */

@@ -20,8 +20,8 @@ function accuracyTable(method: Method): HTMLElement {
   const columns: Column<Named<Accuracy>>[] = [
     { title: 'class', cell: (r) => words(r.name) },
     { title: 'n', number: true, cell: (r) => String(r.value.n) },
-    { title: 'observed', number: true, hint: 'RMS against the planes: what Table 2 holds', cell: (r) => metres(r.value.observed_m) },
-    { title: 'product', number: true, hint: 'against the true datum: with the error of the reference', cell: (r) => metres(r.value.product_m) },
+    { title: 'observed', number: true, hint: 'RMS against the planes, as in Table 2', cell: (r) => metres(r.value.observed_m) },
+    { title: 'product', number: true, hint: 'against the true datum: including the error of the reference', cell: (r) => metres(r.value.product_m) },
     { title: 'method only', number: true, hint: 'without the error of the reference', cell: (r) => r.value.n > 0 && r.value.method_only_m === null ? 'below reference noise' : metres(r.value.method_only_m) },
     { title: 'sigma of the reference', number: true, cell: (r) => metres(r.value.sigma_ref_m) },
     { title: 'flags', cell: (r) => r.value.flags.map(words).join(', ') || missing },
@@ -30,9 +30,9 @@ function accuracyTable(method: Method): HTMLElement {
 }
 
 function calibrationText(c: Calibration): string {
-  if (c.nees_per_dof === null || c.bounds95 === null) return 'No line states its covariance.';
+  if (c.nees_per_dof === null || c.bounds95 === null) return 'No line has a covariance.';
   const verdict = c.nees_per_dof > c.bounds95[1] ? 'optimistic (sigmas too small)'
-    : c.nees_per_dof < c.bounds95[0] ? 'pessimistic (sigmas too large)' : 'right';
+    : c.nees_per_dof < c.bounds95[0] ? 'pessimistic (sigmas too large)' : 'correct';
   const beyond = c.share_beyond_99_9 === null ? '' : `${percent(c.share_beyond_99_9)} % beyond 3.29 (0.1 % expected); `;
   return `On average, predicted sigmas are ${verdict}: mean normalised squared error ${fixed(c.nees_per_dof, 2)} per degree of freedom `
     + `(${fixed(c.bounds95[0], 2)} to ${fixed(c.bounds95[1], 2)} expected, n = ${c.n}); median z² ${fixed(c.median_z2, 3)} (0.455 expected); `
@@ -65,7 +65,7 @@ function pairedText(method: Method, other: Method): string {
   const same_m = 0.001;
   const better = pairs.filter(([a, b]) => a < b - same_m).length;
   const worse = pairs.filter(([a, b]) => a > b + same_m).length;
-  return `On the ${pairs.length} lines that both have evaluated: ${method.name} ${metres(rms(0))} m, ${other.name} ${metres(rms(1))} m RMS; `
+  return `On the ${pairs.length} lines evaluated by both: ${method.name} ${metres(rms(0))} m, ${other.name} ${metres(rms(1))} m RMS; `
     + `${method.name} is closer for ${better} lines, farther for ${worse}, within 1 mm for ${pairs.length - better - worse}.`;
 }
 
@@ -77,13 +77,13 @@ export function figuresOfMethod(method: Method, patch: Patch, note: string): HTM
     ...patch.methods.filter((m) => m !== method).map((other) => h('p', { class: 'paired' }, pairedText(method, other))),
     h('h3', {}, 'Accuracy statement'),
     accuracyTable(method),
-    h('p', { class: 'caption' }, 'Observed: against the planes, as they were fitted. Product: against the true datum, that is, with the error of the laser and of the planes added. Method only: with that error taken off. NMAD: 1.4826 times the median absolute deviation, the standard deviation that the bulk of the lines suggests.'),
+    h('p', { class: 'caption' }, 'Observed: against the fitted planes. Product: against the true datum, with the error of laser and planes added. Method only: with that error subtracted. NMAD: 1.4826 times the median absolute deviation, a robust standard deviation.'),
     h('p', { class: 'caption' }, note, ' ', total
-      ? `In the style of ASPRS Edition 2: RMSE ${metres(method.accuracy['total']?.product_m)} m with the error of the reference included, from ${total.n_evaluated} lines`
-        + (total.n_evaluated < 30 ? ' (below the 30 that it asks for).' : '.') : ''),
+      ? `In the style of ASPRS Edition 2: RMSE ${metres(method.accuracy['total']?.product_m)} m including the error of the reference, from ${total.n_evaluated} lines`
+        + (total.n_evaluated < 30 ? ' (fewer than the 30 it requires).' : '.') : ''),
     ...standards(method),
     h('p', { id: 'calibration' }, calibrationText(method.calibration)),
-    h('p', { class: 'caption' }, 'NEES: squared distance over the variance that line and plane predict; 1 on average if the predictions are right. A few lines that are judged by a wrong surface raise the mean by much: they are those beyond 3.29. The median and the share within 1.96 tell of the others.'),
+    h('p', { class: 'caption' }, 'NEES: squared distance over the predicted variance of line and plane; 1 on average if the predictions are correct. A few lines judged against a wrong surface raise the mean considerably: those beyond 3.29. The median and the share within 1.96 describe the others.'),
     h('details', {}, h('summary', {}, 'Strata'), ...Object.entries(method.strata).map(([by, strata]) => strataTable(by, strata))),
   ];
 }

@@ -49,7 +49,7 @@ function trackTable(tracks: readonly PatchTracks[]): HTMLElement {
       share('sighting recall %', (c) => c.sighting_recall),
       share('sighting precision %', (c) => c.sighting_precision),
     ], rows, { id: 'table1-tracks' }),
-    h('p', { class: 'caption' }, 'Images: how many show the edge. An edge is found if one track lies on it in two images. An edge that no segment shows is missed.'));
+    h('p', { class: 'caption' }, 'Images: number of images that show the edge. An edge is found if one track lies on it in two images. An edge without segments is missed.'));
 }
 
 function table1(report: Report): HTMLElement | null {
@@ -67,12 +67,12 @@ function table1(report: Report): HTMLElement | null {
     { title: 'correctness %', number: true, cell: (r) => withInterval(r.correctness, r.correctness_ci95) },
     { title: 'completeness %', number: true, cell: (r) => withInterval(r.completeness, r.completeness_ci95) },
     { title: 'quality %', number: true, cell: (r) => withInterval(r.quality, r.quality_ci95) },
-    { title: 'not judged', number: true, hint: 'matches of lines that the reference does not hold', cell: (r) => String(r.unjudged) },
+    { title: 'not judged', number: true, hint: 'matches of lines absent from the reference', cell: (r) => String(r.unjudged) },
   ];
   return h('section', {}, h('h2', {}, 'Table 1. Matching'),
     rows.length > 0 ? table(columns, rows, { id: 'table1' })
-      : h('p', { class: 'caption', id: 'table1-missing' }, hasMatches ? 'No reference matches were given, so that matches are not judged. The review below judges them by eye.' : 'Nothing was matched here: the lines were made elsewhere, or images and matches could not be read.'),
-    rows.length > 0 ? h('p', { class: 'caption' }, 'In parentheses: 95 % Wilson intervals. Basis: number of matches.') : null,
+      : h('p', { class: 'caption', id: 'table1-missing' }, hasMatches ? 'No reference matches were given, so matches are not judged. You can judge them by eye in the review below.' : 'There are no matches: the lines come from elsewhere, or images and matches could not be read.'),
+    rows.length > 0 ? h('p', { class: 'caption' }, 'In parentheses: 95 % Wilson intervals over the number of matches.') : null,
     report.table1_tracks ? trackTable(report.table1_tracks) : null);
 }
 
@@ -100,7 +100,7 @@ export function table2(rows: readonly Table2Row[]): HTMLElement {
 
 /** What stands in small letters in table2(). */
 export const smallPrint = (rows: readonly Table2Row[]): string => `Small: lines evaluated / all lines. ${rows.some(ofPlace)
-  ? 'Plan and images decided on the surface of the lines of the first figure; behind a + are those on which points or the line\u2019s own place decided. ' : ''}`;
+  ? 'First figure: lines whose surface was chosen by plan and images; after the +: lines decided by points or the line\u2019s own position. ' : ''}`;
 
 /** All figures of a cell, as in table2.md. */
 export function summaryColumns<Row extends Summary>(): Column<Row>[] {
@@ -119,11 +119,11 @@ export function summaryColumns<Row extends Summary>(): Column<Row>[] {
     metre('68.3 %', (s) => s.q683_m),
     metre('95 %', (s) => s.q95_m),
     metre('max', (s) => s.max_m),
-    { title: 'half', number: true, hint: 'lines, those farthest off, that make half of the sum of squares', cell: (s) => fixed(s.n_half_of_squares, 0) },
+    { title: 'half', number: true, hint: 'number of the worst lines that contribute half of the sum of squares', cell: (s) => fixed(s.n_half_of_squares, 0) },
     metre('without', (s) => s.rms_without_half_m, 'RMS of the other lines'),
     metre('RMSE H', (s) => s.rmse_horizontal_m, 'ridges and hips, across in plan'),
     metre('RMSE V', (s) => s.rmse_vertical_m, 'ridges and hips, in height'),
-    { title: 'gross %', number: true, hint: 'lines farther off than the gross limit', cell: (s) => percent(s.gross_share) },
+    { title: 'gross %', number: true, hint: 'lines with a distance above the gross limit', cell: (s) => percent(s.gross_share) },
     { title: 'excluded', cell: (s) => excluded(s.n_excluded) },
   ];
 }
@@ -140,7 +140,7 @@ export function table2Details(rows: readonly Table2Row[]): HTMLElement {
   const allRows = rows.flatMap((row) => rowsOf(row.class, row).map(({ name, figures }): Row => ({ ...figures, patch: row.patch, method: row.method, class: name })));
   return h('details', {}, h('summary', {}, 'All figures'),
     table(all, allRows, { id: 'table2-all' }),
-    h('p', { class: 'caption' }, 'Metres. Bias, std and NMAD are of the signed distances; median, quantiles and maximum of the mean absolute distances. The distance to one plane is blind to a shift within that plane.'));
+    h('p', { class: 'caption' }, 'Metres. Bias, std and NMAD refer to signed distances; median, quantiles and maximum to mean absolute distances. The distance to a single plane cannot show a shift within that plane.'));
 }
 
 export function head(report: Report): HTMLElement[] {

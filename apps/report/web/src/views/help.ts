@@ -5,10 +5,10 @@ const keys: readonly [string, string][] = [
   ['Tab, arrow keys', 'in the line table: next and previous line'],
   ['1, 2, …', 'method'],
   ['t', '3D view from above'],
-  ['Escape', 'select nothing; leave the review'],
+  ['Escape', 'clear the selection; leave the review'],
   ['r', 'start or leave the review of the matches'],
   ['n, p', 'review: next and previous match'],
-  ['c, f, u', 'review: correct, false, unsure; goes on to the next one that is not judged'],
+  ['c, f, u', 'review: correct, false, unsure; moves on to the next unjudged match'],
   ['m', 'review: add a missed match by clicking its segment in each image'],
   ['?', 'this help'],
 ];

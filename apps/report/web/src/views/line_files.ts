@@ -31,8 +31,8 @@ export function lineFiles(state: State): HTMLElement | null {
     { title: '95 % interval', number: true, cell: (r) => interval(r.ci95_m) },
     { title: 'median', number: true, cell: (r) => metres(r.median_m) },
     { title: '95 %', number: true, cell: (r) => metres(r.q95_m) },
-    { title: 'gross %', number: true, hint: 'lines farther off than the gross limit', cell: (r) => percent(r.gross_share) },
+    { title: 'gross %', number: true, hint: 'lines with a distance above the gross limit', cell: (r) => percent(r.gross_share) },
   ];
   return h('div', { id: 'line-files' }, h('h3', {}, 'Line files side by side, m'), table(columns, rows),
-    h('p', { class: 'caption' }, `The large figure is that of ${names[0]}, which was given first. Plan and worst lines are those of the file that is chosen.`));
+    h('p', { class: 'caption' }, `The large figure refers to ${names[0]}, the first file. Plan and worst lines refer to the selected file.`));
 }

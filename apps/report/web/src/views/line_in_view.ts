@@ -24,8 +24,8 @@ export function viewWords(patch: Patch, line: Line, view: number): ViewWords | n
     case 'agrees': return say('agrees', off);
     case 'differs': return say('differs', off, true);
     case 'sighted': return say('shows it', '');
-    case 'missing': return patch.surface ? say('missing', 'it should show the line', true) : say('no segment', 'what hides the line is not known');
-    case 'hidden': return say('hidden', 'by what is in front');
+    case 'missing': return patch.surface ? say('missing', 'it should show the line', true) : say('no segment', 'the occluding surface is unknown');
+    case 'hidden': return say('hidden', 'by an object in front');
     case 'border': return say('no segment', 'partly outside');
     case 'not_used': return say('not used', '');
   }
@@ -35,7 +35,7 @@ export function viewWords(patch: Patch, line: Line, view: number): ViewWords | n
 export function sentenceOfViews(patch: Patch, line: Line, images: PatchImages): string | null {
   if (!line.views || !images.areSeveral) return null;
   const named = (word: string): string[] => images.images.views.filter((_, v) => viewWords(patch, line, v)?.word === word).map((v) => v.id);
-  const parts = [`${images.viewsOfLine(line).length} of ${images.count} show it`];
+  const parts = [`${images.viewsOfLine(line).length} of ${images.count} images show it`];
   const [differ, lack] = [named('differs'), named('missing')];
   if (differ.length > 0) parts.push(`${differ.join(', ')} ${differ.length > 1 ? 'differ' : 'differs'}`);
   if (lack.length > 0) parts.push(`missing in ${lack.join(', ')}`);

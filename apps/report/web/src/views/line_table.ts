@@ -23,16 +23,16 @@ const columns: readonly LineColumn[] = [
   { key: 'class', title: 'class', value: (l) => l.class, text: (l) => words(l.class) },
   { key: 'status', title: 'status', value: (l) => l.status, text: (l) => words(l.status) },
   { key: 'kind', title: 'kind', value: (l) => l.kind, text: (l) => l.kind ?? '' },
-  { key: 'surface', title: 'surface', hint: 'what it is taken to be an edge of', value: (l) => l.surface },
-  { key: 'surface_other', title: 'else', hint: 'the surface next to that', value: (l) => l.surface_other },
-  { key: 'decided_by', title: 'decided by', hint: 'the evidence without which the choice of the surface would have been open', value: (l) => l.decided_by },
+  { key: 'surface', title: 'surface', hint: 'surface that the line is assumed to bound', value: (l) => l.surface },
+  { key: 'surface_other', title: 'else', hint: 'second most probable surface', value: (l) => l.surface_other },
+  { key: 'decided_by', title: 'decided by', hint: 'evidence that decided on the surface', value: (l) => l.decided_by },
   { key: 'epipolar_angle_deg', title: 'angle °', hint: 'to the epipolar line', value: (l) => l.epipolar_angle_deg, text: (l) => fixed(l.epipolar_angle_deg, 1) },
   { key: 'length_m', title: 'length m', value: (l) => l.length_m, text: (l) => fixed(l.length_m, 2) },
   metreColumn('mean_distance_m', 'distance m', (l) => l.mean_distance_m, 'average orthogonal distance from the planes'),
   metreColumn('max_distance_m', 'max m', (l) => l.max_distance_m),
   metreColumn('signed_mean_m', 'signed m', (l) => l.signed_mean_m),
   metreColumn('sigma_line_m', 'sigma m', (l) => l.sigma_line_m, 'predicted, along the plane normal'),
-  { key: 'z', title: 'z', hint: 'signed distance by sigma', value: (l) => l.z, text: (l) => fixed(l.z, 2) },
+  { key: 'z', title: 'z', hint: 'signed distance divided by sigma', value: (l) => l.z, text: (l) => fixed(l.z, 2) },
   metreColumn('true_error_m', 'true error m', (l) => l.true_error_m, 'distance from the true line'),
   { key: 'n_points', title: 'points', hint: 'artificial points used', value: (l) => l.n_points, text: (l) => (l.n_points === undefined ? '' : String(l.n_points)) },
   { key: 'n_images', title: 'images', hint: 'images that show it', value: (l) => l.n_images },
@@ -158,7 +158,7 @@ export class LineTable {
         ...shownColumns.map((c, k) => h('td', { class: numeric[k] ? 'number' : undefined }, c.text ? c.text(line) : String(c.value(line) ?? ''))));
     }));
     this.more.hidden = all.length <= this.shown.length;
-    this.count.textContent = `${all.length} of ${lines.length} lines; bold: those that make half of the sum of squares` + (all.length > this.shown.length ? `, the first ${this.shown.length} shown` : '');
+    this.count.textContent = `${all.length} of ${lines.length} lines; bold: those that contribute half of the sum of squares` + (all.length > this.shown.length ? `, the first ${this.shown.length} shown` : '');
     this.mark(false);
   }
 

@@ -15,7 +15,7 @@ const pairs = (value: unknown, id: string): HTMLElement =>
 /** Versions, options, input hashes: what it takes to repeat the run. */
 export function provenance(report: Pick<Report, 'run'>): HTMLElement {
   const { run } = report;
-  return h('section', { id: 'provenance' }, h('h2', {}, 'How this was made'),
+  return h('section', { id: 'provenance' }, h('h2', {}, 'Provenance'),
     ...(run.warnings ?? []).map((w) => h('p', { class: 'caption' }, `Warning: ${w}`)),
     h('details', {}, h('summary', {}, 'Input files'),
       table([

@@ -9,13 +9,13 @@ type Named = Standards & { name: string };
 const asprsColumns: Column<Named>[] = [
   { title: 'class', cell: (s) => words(s.name) },
   { title: 'n', number: true, hint: 'ridges and hips', cell: (s) => String(s.asprs.n) },
-  { title: 'RMSE H', number: true, hint: 'error of the reference included', cell: (s) => metres(s.asprs.rmse_horizontal_m) },
-  { title: 'RMSE V', number: true, hint: 'error of the reference included', cell: (s) => metres(s.asprs.rmse_vertical_m) },
+  { title: 'RMSE H', number: true, hint: 'including the error of the reference', cell: (s) => metres(s.asprs.rmse_horizontal_m) },
+  { title: 'RMSE V', number: true, hint: 'including the error of the reference', cell: (s) => metres(s.asprs.rmse_vertical_m) },
   { title: 'RMSE 3D', number: true, cell: (s) => metres(s.asprs.rmse_3d_m) },
-  { title: 'best class', number: true, hint: 'that the reference can attest: it must be twice as accurate', cell: (s) => metres(s.asprs.best_class_m) },
+  { title: 'best class', number: true, hint: 'best class supported by the reference, which must be twice as accurate', cell: (s) => metres(s.asprs.best_class_m) },
   { title: 'flags', cell: (s) => [s.asprs.few_checkpoints ? 'fewer than 30' : '', s.asprs.biased ? 'bias' : ''].filter(Boolean).join(', ') || missing },
-  { title: 'NSSDA H', number: true, hint: '1.7308 RMSE H, from 20 ridges on', cell: (s) => metres(s.nssda.horizontal_m) },
-  { title: 'NSSDA V', number: true, hint: '1.9600 RMSE V, from 20 ridges on', cell: (s) => metres(s.nssda.vertical_m) },
+  { title: 'NSSDA H', number: true, hint: '1.7308 RMSE H, for at least 20 ridges', cell: (s) => metres(s.nssda.horizontal_m) },
+  { title: 'NSSDA V', number: true, hint: '1.9600 RMSE V, for at least 20 ridges', cell: (s) => metres(s.nssda.vertical_m) },
 ];
 
 const budgetColumns: Column<Named>[] = [
@@ -42,9 +42,9 @@ export function standards(method: Method): HTMLElement[] {
   if (!method.standards) return [];
   const rows = Object.entries(method.standards).map(([name, value]) => ({ ...value, name }));
   const { total } = method.standards;
-  return [h('details', { id: 'standards' }, h('summary', {}, 'In the terms of standards'),
-    h('p', { class: 'caption' }, 'Metres. Informative: nothing here claims conformity with a standard.'),
-    h('h4', {}, 'ASPRS Edition 2 and, apart, NSSDA at 95 %'), table(asprsColumns, rows, { id: 'asprs' }),
+  return [h('details', { id: 'standards' }, h('summary', {}, 'In terms of standards'),
+    h('p', { class: 'caption' }, 'Metres. Informative: no conformity with a standard is claimed.'),
+    h('h4', {}, 'ASPRS Edition 2 and, separately, NSSDA at 95 %'), table(asprsColumns, rows, { id: 'asprs' }),
     h('h4', {}, 'Uncertainty of the distance of one line (GUM)'), table(budgetColumns, rows, { id: 'budget' }),
     ...(total ? [h('h4', {}, 'ISO 19157 measures of all lines'), table(measureColumns, total.iso19157, { id: 'iso19157' })] : []))];
 }

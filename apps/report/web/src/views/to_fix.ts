@@ -31,10 +31,10 @@ export function toFix(state: State, method: Method): HTMLElement[] {
       { title: 'what', cell: (e) => e.what },
       { title: 'id', cell: name },
       { title: 'kind', cell: (e) => words(e.kind) },
-      { title: 'gain, %', number: true, cell: (e) => percent(e.gain_share), hint: 'share of the sum of squares: of all lines, or of the points over all roofs' },
-      { title: 'off, m', number: true, cell: (e) => metres(e.off_m), hint: 'mean distance of a line; RMS of the points over a roof, in height' },
-      { title: 'move by, m', cell: move, hint: 'what to add to the coordinates; a line with one plane tells the height only' },
+      { title: 'gain, %', number: true, cell: (e) => percent(e.gain_share), hint: 'share of the sum of squares of all lines, or of the points above all roofs' },
+      { title: 'off, m', number: true, cell: (e) => metres(e.off_m), hint: 'mean distance of a line, or RMS height difference of the points above a roof' },
+      { title: 'move by, m', cell: move, hint: 'correction to add to the coordinates; a line with one plane only gives the height' },
     ], list.slice(0, shownRows), { id: 'to-fix-table' }),
-    h('p', { class: 'caption' }, `${list.length > shownRows ? `The first ${shownRows} of ${list.length}; ` : ''}to_fix.csv and the layer to_fix of the map have ${list.length > shownRows ? 'all' : 'them'}.`),
+    h('p', { class: 'caption' }, `${list.length > shownRows ? `The first ${shownRows} of ${list.length}; ` : ''}${list.length > shownRows ? 'all' : 'also'} in to_fix.csv and in the layer to_fix of the map.`),
   ];
 }

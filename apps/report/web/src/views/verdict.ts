@@ -9,13 +9,13 @@ const ofGate = (g: GateResult): string => `${g.rule}${g.value === null ? '' : ` 
 export function verdict(report: Pick<Report, 'gates'>): HTMLElement {
   const { gates } = report;
   if (!gates) {
-    return h('p', { id: 'verdict', class: 'verdict none' }, h('strong', {}, 'No specification was given'), ', so that nothing is accepted or rejected here.');
+    return h('p', { id: 'verdict', class: 'verdict none' }, h('strong', {}, 'No acceptance limits were given'), ' (ridgeline report DIR --gates FILE).');
   }
   const failed = gates.gates.filter((g) => g.verdict !== 'passed');
   if (gates.passed) {
-    return h('p', { id: 'verdict', class: 'verdict passed' }, h('strong', {}, 'Accepted'), `: all ${gates.gates.length} checks of the specification hold.`);
+    return h('p', { id: 'verdict', class: 'verdict passed' }, h('strong', {}, 'Accepted'), `: all ${gates.gates.length} checks passed.`);
   }
   const shown = failed.slice(0, 3).map(ofGate).join('; ');
   return h('p', { id: 'verdict', class: 'verdict failed' }, h('strong', {}, 'Not accepted'),
-    `: ${failed.length} of ${gates.gates.length} checks of the specification fail: ${shown}${failed.length > 3 ? '; …' : ''}.`);
+    `: ${failed.length} of ${gates.gates.length} checks failed: ${shown}${failed.length > 3 ? '; …' : ''}.`);
 }

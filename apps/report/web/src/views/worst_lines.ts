@@ -119,12 +119,12 @@ export class WorstLines {
       images ? crop(images, line) : null,
       patch.points && positions ? section(patch.points, positions, planeOfPoint, line) : null,
     ];
-    replace(this.element, h('h3', {}, `The ${worst.length} lines farthest off in patch ${patch.id}, ${isOfFiles(this.state.report) ? '' : 'method '}${method.name}`),
-      figures ? h('p', { class: 'caption', id: 'half-of-squares' }, `${halfSentence(figures)}.${(figures.n_half_of_squares ?? 0) > worst.length ? ` The first ${worst.length} are here.` : ''}`) : null,
+    replace(this.element, h('h3', {}, `The ${worst.length} worst lines of patch ${patch.id}, ${isOfFiles(this.state.report) ? '' : 'method '}${method.name}`),
+      figures ? h('p', { class: 'caption', id: 'half-of-squares' }, `${halfSentence(figures)}.${(figures.n_half_of_squares ?? 0) > worst.length ? ` Shown: the first ${worst.length}.` : ''}`) : null,
       ...worst.map(({ line, index }, i) => h('figure', { class: i < fewestLines ? 'worst-line' : 'worst-line further' },
         h('figcaption', {}, button(line.id, () => this.state.set({ line: index }), { class: 'plain', title: 'select the line' }),
           ` ${metres(line.mean_distance_m)} m, ${words(line.class)}, ${line.kind ?? ''}${surfaceWords(line) ? `, edge of: ${surfaceWords(line)}` : ''}${line.flags.length > 0 ? `, ${line.flags.map(words).join(', ')}` : ''}`),
         ...pictures(line))),
-      h('p', { class: 'caption' }, images ? `Left: ${images.areSeveral ? 'the first image that shows the line' : 'the base image'}. Right: the laser points seen along the line` : 'The laser points seen along the line', ', coloured by plane; the cross is the line. Where a line lies metres from all points, it or the choice of its surface is wrong.'));
+      h('p', { class: 'caption' }, images ? `Left: ${images.areSeveral ? 'the first image that shows the line' : 'the base image'}. Right: the LIDAR points seen along the line` : 'The LIDAR points seen along the line', ', coloured by plane; the cross is the line. A line metres away from all points is either wrong itself or was judged against the wrong surface.'));
   }
 }
