@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/as_flags.h"
 #include "apps/common/command.h"
+#include "evaluate/files/run_record.h"
+#include "evaluate/files/version.h"
 #include "io/error.h"
-#include "io/results/run_record.h"
-#include "io/results/version.h"
 #include "io/text/nearest_name.h"
 
 #include <fcntl.h>

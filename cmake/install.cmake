@@ -1,5 +1,5 @@
-# `find_package(ridgeline)` gives ridgeline::geometry, ::laz, ::views, ::extract, ::match, ::chio,
-# ::estimate, ::beyond, ::reconstruct, ::io, ::evaluate and ::results.
+# `find_package(ridgeline)` gives ridgeline::geometry, ::laz, ::appearance, ::scene, ::extract,
+# ::surface, ::match, ::tracks, ::estimate, ::reconstruct, ::io, ::evaluate and ::results.
 include(CMakePackageConfigHelpers)
 
 # ridgeline::laz and what it rests on can be found alone: find_package(ridgeline COMPONENTS laz).
@@ -11,8 +11,9 @@ function(install_libraries export)
   install(EXPORT ${export} NAMESPACE ridgeline:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ridgeline COMPONENT dev)
 endfunction()
 install_libraries(ridgelineLazTargets ridgeline_geometry ridgeline_laz)
-install_libraries(ridgelineTargets ridgeline_views ridgeline_extract ridgeline_match ridgeline_chio ridgeline_estimate
-  ridgeline_beyond ridgeline_tracks ridgeline_reconstruct ridgeline_io ridgeline_evaluate ridgeline_results)
+install_libraries(ridgelineTargets ridgeline_appearance ridgeline_scene ridgeline_extract ridgeline_surface
+  ridgeline_match ridgeline_tracks ridgeline_estimate ridgeline_reconstruct ridgeline_io ridgeline_evaluate
+  ridgeline_results)
 install(TARGETS ridgeline DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(DIRECTORY sample_data DESTINATION ${CMAKE_INSTALL_DATADIR}/ridgeline COMPONENT program PATTERN make.sh EXCLUDE)
 

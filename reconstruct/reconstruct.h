@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/beyond/options.h"
-#include "reconstruct/beyond/surface/surface.h"
-#include "reconstruct/chio_wang2000/chio_match.h"
-#include "reconstruct/ok2011/estimate/reconstruct_lines.h"
-#include "reconstruct/ok2011/extract/extract_segments.h"
-#include "reconstruct/ok2011/match/options.h"
+#include "reconstruct/estimate/beyond/options.h"
+#include "reconstruct/estimate/ok2011/reconstruct_lines.h"
+#include "reconstruct/extract/beyond/options.h"
+#include "reconstruct/extract/ok2011/extract_segments.h"
+#include "reconstruct/match/beyond/options.h"
+#include "reconstruct/match/chio_wang2000/chio_match.h"
+#include "reconstruct/match/ok2011/options.h"
+#include "reconstruct/scene/scene.h"
+#include "reconstruct/surface/surface.h"
 #include "reconstruct/tracks/options.h"
-#include "reconstruct/views/scene.h"
 
 #include <array>
 #include <cstdint>

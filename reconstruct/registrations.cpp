@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/registrations.h"
 
-#include "reconstruct/beyond/profile_registration/profile_registration.h"
-#include "reconstruct/beyond/shared_errors/shared_errors.h"
+#include "reconstruct/estimate/beyond/profile_registration.h"
+#include "reconstruct/estimate/beyond/shared_errors.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/beyond/options.h"
-#include "reconstruct/views/scene.h"
-#include "reconstruct/views/tracked_lines.h"
+#include "reconstruct/estimate/beyond/options.h"
+#include "reconstruct/estimate/tracked_lines.h"
+#include "reconstruct/scene/scene.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/scaled_scene.h"
 
-#include "reconstruct/ok2011/extract/edge_blur.h"
+#include "reconstruct/extract/ok2011/edge_blur.h"
 
 #include <Eigen/LU>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/beyond/surface/surface.h"
-#include "reconstruct/views/reduced_view.h"
+#include "reconstruct/scene/reduced_view.h"
+#include "reconstruct/surface/surface.h"
 
 #include <array>
 #include <span>

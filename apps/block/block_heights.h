@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/project/patch.h"
-#include "reconstruct/block/patch_grid.h"
+#include "reconstruct/scene/patch_grid.h"
 
 #include <Eigen/Geometry>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/pipeline/made_from.h"
-#include "reconstruct/block/patch_grid.h"
+#include "reconstruct/scene/patch_grid.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

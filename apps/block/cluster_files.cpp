@@ -3,7 +3,7 @@
 
 #include "apps/block/slurm_job.h"
 #include "apps/common/say.h"
-#include "io/results/output_folder.h"
+#include "evaluate/files/output_folder.h"
 
 #include <algorithm>
 #include <filesystem>

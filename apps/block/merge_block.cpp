@@ -7,13 +7,13 @@
 #include "apps/common/outcome.h"
 #include "apps/common/say.h"
 #include "apps/run/patch_stages.h"
+#include "evaluate/files/judge_files.h"
+#include "evaluate/files/write_results.h"
 #include "evaluate/tables/shift_text.h"
 #include "evaluate/tables/table2.h"
 #include "evaluate/tables/terminal_table.h"
 #include "io/lines/read_lines.h"
 #include "io/lines/write_lines.h"
-#include "io/results/judge_files.h"
-#include "io/results/write_results.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>

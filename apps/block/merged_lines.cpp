@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/block/merged_lines.h"
 
+#include "evaluate/files/judged_lines.h"
 #include "io/lines/read_lines.h"
 #include "io/project/patch.h"
-#include "io/results/judged_lines.h"
-#include "reconstruct/block/merge_lines.h"
+#include "reconstruct/estimate/beyond/merge_lines.h"
 #include "reconstruct/geometry/plan_box.h"
 #include "reconstruct/geometry/transformed.h"
 

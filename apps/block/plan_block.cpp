@@ -12,7 +12,7 @@
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/plan_box.h"
 #include "reconstruct/geometry/transformed.h"
-#include "reconstruct/views/normalised_image.h"
+#include "reconstruct/scene/normalised_image.h"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>

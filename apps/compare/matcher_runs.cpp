@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/compare/matcher_runs.h"
 
+#include "evaluate/files/result_folder_reader.h"
 #include "io/error.h"
 #include "io/files/csv_table.h"
 #include "io/files/sha256.h"
 #include "io/files/text_file.h"
-#include "io/results/result_folder_reader.h"
 
 #include <nlohmann/json.hpp>
 

@@ -6,12 +6,12 @@
 #include "apps/evaluate/write_evaluation.h"
 #include "apps/pipeline/read_patch.h"
 #include "apps/report/write_report.h"
+#include "evaluate/files/cloud_name.h"
+#include "evaluate/files/judge_files.h"
+#include "evaluate/files/judged_attributes.h"
+#include "evaluate/files/output_folder.h"
+#include "evaluate/files/write_results.h"
 #include "io/cloud/labelled_points.h"
-#include "io/results/cloud_name.h"
-#include "io/results/judge_files.h"
-#include "io/results/judged_attributes.h"
-#include "io/results/output_folder.h"
-#include "io/results/write_results.h"
 
 #include <memory>
 #include <optional>

@@ -4,13 +4,13 @@
 #include "apps/common/outcome.h"
 #include "apps/common/say.h"
 #include "apps/report/write_report.h"
+#include "evaluate/files/judged_attributes.h"
+#include "evaluate/files/judged_map.h"
+#include "evaluate/files/model_files.h"
+#include "evaluate/files/write_results.h"
 #include "evaluate/tables/decoy_table.h"
 #include "evaluate/tables/shift_text.h"
 #include "evaluate/tables/terminal_table.h"
-#include "io/results/judged_attributes.h"
-#include "io/results/judged_map.h"
-#include "io/results/model_files.h"
-#include "io/results/write_results.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "apps/common/shared_options.h"
-#include "io/results/judge_files.h"
-#include "io/results/output_folder.h"
-#include "io/results/run_record.h"
+#include "evaluate/files/judge_files.h"
+#include "evaluate/files/output_folder.h"
+#include "evaluate/files/run_record.h"
 
 #include <string>
 #include <vector>

@@ -5,11 +5,11 @@
 #include "apps/extract/segment_overlay.h"
 #include "apps/pipeline/patch_scene.h"
 #include "apps/pipeline/read_patch.h"
+#include "evaluate/files/output_folder.h"
 #include "io/error.h"
 #include "io/images/png_writer.h"
 #include "io/project/patch.h"
 #include "io/project/segments_file.h"
-#include "io/results/output_folder.h"
 #include "reconstruct/reconstruct.h"
 
 #include <filesystem>

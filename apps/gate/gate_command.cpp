@@ -3,11 +3,11 @@
 #include "apps/common/say.h"
 #include "apps/common/shared_options.h"
 #include "apps/gate/gates_template.h"
+#include "evaluate/files/gate_files.h"
+#include "evaluate/files/output_folder.h"
 #include "evaluate/gates/gate_report.h"
 #include "io/error.h"
 #include "io/files/atomic_file.h"
-#include "io/results/gate_files.h"
-#include "io/results/output_folder.h"
 
 #include <fmt/chrono.h>
 #include <fmt/core.h>

@@ -4,6 +4,7 @@
 #include "apps/info/orientation_facts.h"
 #include "apps/info/own_files.h"
 #include "apps/pipeline/read_patch.h"
+#include "evaluate/files/judged_lines.h"
 #include "io/cloud/cloud_facts.h"
 #include "io/cloud/read_cloud.h"
 #include "io/crs/grid_scale.h"
@@ -15,12 +16,11 @@
 #include "io/lines/line_facts.h"
 #include "io/lines/read_lines.h"
 #include "io/project/patch.h"
-#include "io/results/judged_lines.h"
 #include "io/text/text.h"
-#include "reconstruct/beyond/soft_edges/edge_facts.h"
+#include "reconstruct/extract/beyond/soft_edges/edge_facts.h"
 #include "reconstruct/geometry/transformed.h"
 #include "reconstruct/reconstruct.h"
-#include "reconstruct/views/normalised_image.h"
+#include "reconstruct/scene/normalised_image.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

@@ -3,13 +3,13 @@
 
 #include "apps/common/say.h"
 #include "apps/pipeline/parameters.h"
+#include "evaluate/files/gate_files.h"
+#include "evaluate/files/result_folder_reader.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "io/error.h"
 #include "io/files/csv_table.h"
 #include "io/files/text_file.h"
 #include "io/files/yaml_check.h"
-#include "io/results/gate_files.h"
-#include "io/results/result_folder_reader.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

@@ -8,11 +8,11 @@
 #include "apps/pipeline/match_tables.h"
 #include "apps/pipeline/patch_scene.h"
 #include "apps/pipeline/read_patch.h"
+#include "evaluate/files/output_folder.h"
 #include "io/files/atomic_file.h"
 #include "io/images/png_writer.h"
 #include "io/project/matches_file.h"
 #include "io/project/segments_file.h"
-#include "io/results/output_folder.h"
 
 #include <algorithm>
 #include <array>

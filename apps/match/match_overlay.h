@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/project/matches_file.h"
-#include "reconstruct/views/scene.h"
+#include "reconstruct/scene/scene.h"
 
 #include <opencv2/core/mat.hpp>
 

@@ -4,9 +4,9 @@
 #include "apps/patch/patch_template.h"
 #include "apps/pipeline/check_patch.h"
 #include "apps/pipeline/read_patch.h"
+#include "evaluate/files/output_folder.h"
 #include "io/error.h"
 #include "io/files/atomic_file.h"
-#include "io/results/output_folder.h"
 #include "io/text/text.h"
 #include "reconstruct/geometry/check.h"
 

@@ -2,7 +2,7 @@
 #include "apps/pipeline/area_views.h"
 
 #include "io/images/image.h"
-#include "reconstruct/views/choose_views.h"
+#include "reconstruct/scene/choose_views.h"
 
 #include <Eigen/Dense>
 

@@ -2,7 +2,7 @@
 #include "apps/pipeline/check_pair.h"
 
 #include "io/error.h"
-#include "reconstruct/pair_check/pair_fit.h"
+#include "reconstruct/scene/pair_check/pair_fit.h"
 #include "reconstruct/tracks/view_pairs.h"
 
 #include <fmt/format.h>

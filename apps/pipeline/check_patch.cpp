@@ -9,7 +9,7 @@
 #include "io/text/json_text.h"
 #include "io/text/text.h"
 #include "reconstruct/geometry/epipolar.h"
-#include "reconstruct/views/scene.h"
+#include "reconstruct/scene/scene.h"
 
 #include <Eigen/Dense>
 #include <fmt/core.h>

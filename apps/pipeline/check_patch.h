@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "evaluate/files/run_record.h"
 #include "io/project/patch.h"
-#include "io/results/run_record.h"
 
 #include <vector>
 

@@ -4,8 +4,8 @@
 #include "io/error.h"
 #include "io/images/image.h"
 #include "reconstruct/geometry/transformed.h"
-#include "reconstruct/pair_check/point_matches.h"
-#include "reconstruct/views/normalised_image.h"
+#include "reconstruct/scene/normalised_image.h"
+#include "reconstruct/scene/pair_check/point_matches.h"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/pipeline/made_from.h"
 
+#include "evaluate/files/version.h"
 #include "io/error.h"
 #include "io/files/atomic_file.h"
 #include "io/files/input_file.h"
 #include "io/files/sha256.h"
 #include "io/files/text_file.h"
-#include "io/results/version.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

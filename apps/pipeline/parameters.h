@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "evaluate/files/judge_files.h"
 #include "evaluate/judge/options.h"
-#include "io/results/judge_files.h"
 #include "reconstruct/reconstruct.h"
 
 #include <nlohmann/json.hpp>

@@ -3,7 +3,7 @@
 
 #include "io/images/image.h"
 #include "io/project/segments_file.h"
-#include "reconstruct/views/normalised_image.h"
+#include "reconstruct/scene/normalised_image.h"
 
 #include <fmt/core.h>
 

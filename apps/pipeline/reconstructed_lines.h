@@ -2,8 +2,8 @@
 #pragma once
 
 #include "io/lines/line_set.h"
-#include "reconstruct/ok2011/estimate/reconstruct_lines.h"
-#include "reconstruct/views/scene.h"
+#include "reconstruct/estimate/ok2011/reconstruct_lines.h"
+#include "reconstruct/scene/scene.h"
 
 #include <span>
 

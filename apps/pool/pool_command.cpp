@@ -4,13 +4,13 @@
 #include "apps/common/say.h"
 #include "apps/common/shared_options.h"
 #include "apps/report/write_report.h"
+#include "evaluate/files/output_folder.h"
+#include "evaluate/files/pool_runs.h"
+#include "evaluate/files/run_record.h"
+#include "evaluate/files/write_results.h"
 #include "evaluate/tables/decoy_table.h"
 #include "evaluate/tables/shift_text.h"
 #include "evaluate/tables/terminal_table.h"
-#include "io/results/output_folder.h"
-#include "io/results/pool_runs.h"
-#include "io/results/run_record.h"
-#include "io/results/write_results.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -9,10 +9,10 @@
 #include "apps/python/judged.h"
 #include "apps/python/lines.h"
 #include "apps/python/views.h"
+#include "evaluate/files/cloud_name.h"
 #include "evaluate/tables/shift_text.h"
 #include "io/crs/geoid.h"
 #include "io/lines/line_checks.h"
-#include "io/results/cloud_name.h"
 #include "reconstruct/geometry/check.h"
 
 #include <pybind11/numpy.h>

@@ -2,9 +2,9 @@
 #include "apps/python/bindings.h"
 #include "apps/python/in_memory.h"
 #include "apps/python/judged.h"
+#include "evaluate/files/gate_files.h"
+#include "evaluate/files/result_folder_reader.h"
 #include "evaluate/gates/gate_report.h"
-#include "io/results/gate_files.h"
-#include "io/results/result_folder_reader.h"
 
 #include <fmt/chrono.h>
 

@@ -4,14 +4,14 @@
 #include "apps/python/arrays.h"
 #include "apps/python/interruptible.h"
 #include "apps/python/lines.h"
+#include "evaluate/files/judged_map.h"
+#include "evaluate/files/model_files.h"
+#include "evaluate/files/output_folder.h"
+#include "evaluate/files/write_results.h"
 #include "evaluate/tables/decoy_table.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/table2.h"
 #include "evaluate/tables/terminal_table.h"
-#include "io/results/judged_map.h"
-#include "io/results/model_files.h"
-#include "io/results/output_folder.h"
-#include "io/results/write_results.h"
 
 #include <pybind11/stl.h>
 

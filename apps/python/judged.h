@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "io/results/judge_files.h"
-#include "io/results/run_record.h"
+#include "evaluate/files/judge_files.h"
+#include "evaluate/files/run_record.h"
 
 #include <pybind11/pybind11.h>
 

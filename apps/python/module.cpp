@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/python/bindings.h"
-#include "io/results/version.h"
+#include "evaluate/files/version.h"
 
 PYBIND11_MODULE(_core, core) {
   using namespace ridgeline;

@@ -13,7 +13,7 @@
 #include "io/project/patch.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/reconstruct.h"
-#include "reconstruct/views/normalised_image.h"
+#include "reconstruct/scene/normalised_image.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

@@ -8,15 +8,15 @@
 #include "apps/pipeline/patch_scene.h"
 #include "apps/pipeline/read_patch.h"
 #include "apps/pipeline/reconstructed_lines.h"
+#include "evaluate/files/output_folder.h"
 #include "io/cloud/labelled_points.h"
 #include "io/cloud/las_writer.h"
 #include "io/error.h"
 #include "io/files/input_file.h"
 #include "io/lines/write_lines.h"
 #include "io/project/segments_file.h"
-#include "io/results/output_folder.h"
-#include "reconstruct/beyond/surface/surface.h"
 #include "reconstruct/geometry/transformed.h"
+#include "reconstruct/surface/surface.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/report/evaluated_patches.h"
 
+#include "evaluate/files/judged_lines.h"
+#include "evaluate/files/read_evaluations.h"
 #include "io/error.h"
 #include "io/lines/read_lines.h"
-#include "io/results/judged_lines.h"
-#include "io/results/read_evaluations.h"
 
 #include <algorithm>
 #include <unordered_map>

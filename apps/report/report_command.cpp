@@ -3,7 +3,7 @@
 #include "apps/common/say.h"
 #include "apps/common/shared_options.h"
 #include "apps/report/write_report.h"
-#include "io/results/gate_files.h"
+#include "evaluate/files/gate_files.h"
 
 #include <memory>
 

@@ -8,6 +8,9 @@
 #include "apps/report/evaluated_patches.h"
 #include "apps/report/path_shortener.h"
 #include "apps/report/run_inputs.h"
+#include "evaluate/files/judged_lines.h"
+#include "evaluate/files/result_folder_reader.h"
+#include "evaluate/files/to_fix.h"
 #include "evaluate/statistics/reference_errors.h"
 #include "io/cloud/cloud_files.h"
 #include "io/error.h"
@@ -16,9 +19,6 @@
 #include "io/lines/read_lines.h"
 #include "io/project/segments_file.h"
 #include "io/project/tracks_file.h"
-#include "io/results/judged_lines.h"
-#include "io/results/result_folder_reader.h"
-#include "io/results/to_fix.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/core.h>

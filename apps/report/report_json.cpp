@@ -3,13 +3,13 @@
 
 #include "apps/report/base64.h"
 #include "apps/report/line_observations.h"
+#include "evaluate/files/result_folder_reader.h"
 #include "evaluate/gates/gate_report.h"
 #include "evaluate/statistics/product_method.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/shift_text.h"
 #include "evaluate/tables/table2.h"
 #include "io/images/encoded_picture.h"
-#include "io/results/result_folder_reader.h"
 #include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/epipolar.h"
 

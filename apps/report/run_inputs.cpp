@@ -2,9 +2,9 @@
 #include "apps/report/run_inputs.h"
 
 #include "apps/pipeline/read_patch.h"
+#include "evaluate/files/judge_files.h"
+#include "evaluate/files/result_folder_reader.h"
 #include "io/error.h"
-#include "io/results/judge_files.h"
-#include "io/results/result_folder_reader.h"
 #include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/transformed.h"
 

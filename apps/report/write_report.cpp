@@ -6,9 +6,9 @@
 #include "apps/report/block/write_block_report.h"
 #include "apps/report/figures.h"
 #include "apps/report/page.h"
+#include "evaluate/files/output_folder.h"
 #include "io/error.h"
 #include "io/images/png_writer.h"
-#include "io/results/output_folder.h"
 
 #include <fmt/core.h>
 #include <spdlog/spdlog.h>

@@ -3,14 +3,14 @@
 
 #include "apps/pipeline/made_from.h"
 #include "apps/run/patch_stages.h"
+#include "evaluate/files/to_fix.h"
+#include "evaluate/files/write_results.h"
 #include "evaluate/judge/judge_lines.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "io/cloud/cloud_files.h"
 #include "io/files/sha256.h"
 #include "io/files/text_file.h"
 #include "io/lines/read_lines.h"
-#include "io/results/to_fix.h"
-#include "io/results/write_results.h"
 
 #include <fmt/format.h>
 

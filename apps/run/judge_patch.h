@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/run/patch_run.h"
-#include "io/results/judge_files.h"
+#include "evaluate/files/judge_files.h"
 
 #include <optional>
 #include <string>

@@ -6,15 +6,15 @@
 #include "apps/pipeline/check_pair.h"
 #include "apps/pipeline/check_patch.h"
 #include "apps/pipeline/parameters.h"
+#include "evaluate/files/judged_lines.h"
+#include "evaluate/files/judged_map.h"
+#include "evaluate/files/output_folder.h"
+#include "evaluate/files/run_record.h"
 #include "evaluate/statistics/evaluation.h"
 #include "evaluate/tables/table1.h"
 #include "io/crs/crs.h"
 #include "io/lines/write_lines.h"
 #include "io/project/patch.h"
-#include "io/results/judged_lines.h"
-#include "io/results/judged_map.h"
-#include "io/results/output_folder.h"
-#include "io/results/run_record.h"
 
 #include <cstddef>
 #include <optional>

@@ -7,6 +7,7 @@
 #include "apps/pipeline/patch_matching.h"
 #include "apps/pipeline/patch_scene.h"
 #include "apps/pipeline/reconstructed_lines.h"
+#include "evaluate/files/write_results.h"
 #include "evaluate/gates/figure.h"
 #include "evaluate/tables/summary_json.h"
 #include "io/cloud/labelled_points.h"
@@ -15,8 +16,7 @@
 #include "io/project/matches_file.h"
 #include "io/project/segments_file.h"
 #include "io/project/tracks_file.h"
-#include "io/results/write_results.h"
-#include "reconstruct/beyond/soft_edges/edge_facts.h"
+#include "reconstruct/extract/beyond/soft_edges/edge_facts.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>

@@ -10,11 +10,11 @@
 #include "apps/simulate/village.h"
 #include "apps/simulate/write_block.h"
 #include "apps/simulate/write_views.h"
+#include "evaluate/files/output_folder.h"
 #include "io/cloud/las_writer.h"
 #include "io/crs/crs.h"
 #include "io/lines/write_lines.h"
 #include "io/models/write_model.h"
-#include "io/results/output_folder.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/transformed.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "apps/simulate/simulate_arguments.h"
+#include "evaluate/files/output_folder.h"
 #include "io/lines/line_set.h"
-#include "io/results/output_folder.h"
 
 #include <cstddef>
 #include <span>

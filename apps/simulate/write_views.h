@@ -3,8 +3,8 @@
 
 #include "apps/simulate/scene.h"
 #include "apps/simulate/view_files.h"
+#include "evaluate/files/output_folder.h"
 #include "io/lines/line_set.h"
-#include "io/results/output_folder.h"
 
 #include <string>
 #include <vector>

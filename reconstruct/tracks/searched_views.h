@@ -2,9 +2,9 @@
 #pragma once
 
 #include "reconstruct/geometry/box_index.h"
+#include "reconstruct/geometry/epipolar_transfer.h"
 #include "reconstruct/geometry/track.h"
-#include "reconstruct/views/epipolar_transfer.h"
-#include "reconstruct/views/scene.h"
+#include "reconstruct/scene/scene.h"
 
 #include <array>
 #include <span>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "reconstruct/match/candidates.h"
 #include "reconstruct/tracks/options.h"
 #include "reconstruct/tracks/predicted_line.h"
 #include "reconstruct/tracks/searched_views.h"
-#include "reconstruct/views/candidates.h"
 
 #include <functional>
 #include <optional>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "reconstruct/geometry/track.h"
+#include "reconstruct/match/candidates.h"
+#include "reconstruct/scene/scene.h"
 #include "reconstruct/tracks/options.h"
-#include "reconstruct/views/candidates.h"
-#include "reconstruct/views/scene.h"
 
 #include <span>
 #include <vector>

@@ -2,10 +2,10 @@
 // Four roofs of Point2Roof (Li et al. 2022): the true wireframe and the models of three methods,
 // judged against one cloud of 1024 points each.
 
+#include "evaluate/files/judged_lines.h"
 #include "evaluate/statistics/tolerance_measures.h"
 #include "io/cloud/read_cloud.h"
 #include "io/lines/read_lines.h"
-#include "io/results/judged_lines.h"
 #include "tests/acceptance/judge_cloud.h"
 #include "tests/support/paths.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which folder may include which, read from the sources: docs/architecture.md says why.
+// Each folder includes only what the table of docs/architecture.md allows it.
 #include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <string>
@@ -16,94 +17,44 @@ namespace ridgeline {
 namespace {
 
 namespace fs = std::filesystem;
-using Folders = std::vector<std::string>;
+using Paths = std::vector<std::string>;
 
-/// The name of a list of folders stands for all of them.
-const std::map<std::string, Folders>& lists() {
-  static const std::map<std::string, Folders> lists{
-      {"<readers>",
-       {"io/error.h", "io/text", "io/kinds", "io/files", "io/crs", "io/gdal", "io/images",
-        "io/orientation", "io/project", "io/cloud", "io/lines", "io/models"}},
-      {"<judge>", {"evaluate", "io/results"}},
-      {"<method>", {"reconstruct"}}};
-  return lists;
+fs::path root() { return test::source_dir(); }
+
+/// The words in backticks of a cell.
+Paths names_in(const std::string& cell) {
+  static const std::regex name("`([^`]+)`");
+  Paths names;
+  for (std::sregex_iterator it(cell.begin(), cell.end(), name), end; it != end; ++it) {
+    names.push_back((*it)[1]);
+  }
+  return names;
 }
 
-/// What the files of a folder may include beside the folder itself. The papers never see what goes
-/// beyond them; the judge never sees the judged, nor a reader the judge; Python links no command
-/// line.
-const std::map<std::string, Folders>& allowed() {
-  static const std::map<std::string, Folders> folders{
-      {"reconstruct/geometry", {}},
-      {"reconstruct/views", {"reconstruct/geometry"}},
-      {"reconstruct/tracks", {"reconstruct/geometry", "reconstruct/views"}},
-      {"reconstruct/ok2011", {"reconstruct/geometry", "reconstruct/views"}},
-      {"reconstruct/chio_wang2000", {"reconstruct/geometry", "reconstruct/views"}},
-      {"reconstruct/beyond",
-       {"reconstruct/geometry", "reconstruct/views", "reconstruct/ok2011",
-        "reconstruct/chio_wang2000"}},
-      {"reconstruct/pair_check", {"reconstruct/geometry"}},
-      {"reconstruct/block", {"reconstruct/geometry"}},
-      {"evaluate/judge",
-       {"reconstruct/geometry", "evaluate/line_evaluation.h", "evaluate/probability.h"}},
-      {"evaluate/faces",
-       {"reconstruct/geometry", "evaluate/line_evaluation.h", "evaluate/probability.h",
-        "evaluate/judge", "evaluate/statistics/distribution.h", "evaluate/tables/format.h"}},
-      {"evaluate/statistics",
-       {"reconstruct/geometry", "evaluate/line_evaluation.h", "evaluate/probability.h",
-        "evaluate/judge/options.h", "evaluate/judge/judge_line.h",
-        "evaluate/judge/segment_plane.h"}},
-      {"evaluate/matching", {"reconstruct/geometry", "evaluate/statistics"}},
-      {"evaluate/tables", {"reconstruct/geometry", "evaluate/statistics"}},
-      {"evaluate/gates", {"reconstruct/geometry", "evaluate/statistics", "evaluate/tables"}},
-      {"evaluate/compare",
-       {"reconstruct/geometry", "evaluate/probability.h", "evaluate/statistics",
-        "evaluate/tables"}},
-      {"io/text", {"reconstruct/geometry", "io/error.h"}},
-      {"io/kinds", {"io/error.h", "io/text"}},
-      {"io/files", {"io/error.h", "io/text", "io/kinds"}},
-      {"io/crs", {"reconstruct/geometry", "io/error.h"}},
-      {"io/gdal", {"io/error.h", "io/text", "io/files", "io/crs"}},
-      {"io/images", {"reconstruct/geometry", "io/error.h", "io/kinds", "io/files", "io/gdal"}},
-      {"io/orientation",
-       {"reconstruct/geometry", "io/error.h", "io/text", "io/kinds", "io/files", "io/crs",
-        "io/gdal"}},
-      {"io/project",
-       {"reconstruct/geometry", "io/error.h", "io/text", "io/files", "io/crs", "io/gdal",
-        "io/images", "io/orientation"}},
-      {"io/cloud",
-       {"reconstruct/geometry", "io/error.h", "io/text", "io/kinds", "io/files", "io/crs"}},
-      {"io/models",
-       {"reconstruct/geometry", "io/error.h", "io/text", "io/kinds", "io/files", "io/crs",
-        "io/gdal"}},
-      {"io/lines",
-       {"reconstruct/geometry", "io/error.h", "io/text", "io/kinds", "io/files", "io/crs",
-        "io/gdal", "io/cloud", "io/models"}},
-      {"io/results", {"reconstruct/geometry", "evaluate", "<readers>"}},
-      {"apps/pipeline", {"<method>", "<judge>", "<readers>"}},
-      {"apps/common", {"apps/pipeline", "<method>", "<judge>", "<readers>"}},
-      {"apps/python", {"apps/pipeline", "<method>", "<judge>", "<readers>"}},
-      {"apps/block",
-       {"apps/common", "apps/pipeline", "apps/run", "apps/report", "apps/evaluate", "<method>",
-        "<judge>", "<readers>"}},
-      {"apps/report",
-       {"apps/common", "apps/pipeline", "reconstruct/geometry", "<judge>", "<readers>"}},
-      {"apps/simulate", {"apps/common", "reconstruct/geometry", "<judge>", "<readers>"}}};
+/// A name of a row is a path from the root, or else that of a neighbour of its folder.
+std::string path_of(const std::string& name, const std::string& folder) {
+  if (fs::exists(root() / name)) return name;
+  return folder.substr(0, folder.find('/') + 1) + name;
+}
+
+/// The table of docs/architecture.md: by folder, what its files may include besides the folder.
+std::map<std::string, Paths> allowed() {
+  static const std::regex row(R"(\| `((?:reconstruct|evaluate|io|apps)/\w+)` \|.*\|([^|]*)\|)");
+  std::ifstream document(root() / "docs/architecture.md");
+  std::map<std::string, Paths> folders;
+  for (std::string line; std::getline(document, line);) {
+    std::smatch cells;
+    if (!std::regex_match(line, cells, row)) continue;
+    Paths& paths = folders[cells[1]];
+    for (const std::string& name : names_in(cells[2])) paths.push_back(path_of(name, cells[1]));
+  }
   return folders;
 }
 
-/// Of a folder of `apps` that is not in allowed(): a command. Those that run a patch and write its
-/// report use these two.
-const Folders& allowed_to_commands() {
-  static const Folders folders{"apps/common", "apps/pipeline", "apps/run", "apps/report",
-                               "<method>",    "<judge>",       "<readers>"};
-  return folders;
-}
-
-Folders includes_of(const fs::path& file) {
+Paths includes_of(const fs::path& file) {
   static const std::regex include("^#include \"((reconstruct|evaluate|io|apps|tests)/[^\"]+)\"");
   std::ifstream stream(file);
-  Folders found;
+  Paths found;
   for (std::string line; std::getline(stream, line);) {
     std::smatch match;
     if (std::regex_search(line, match, include)) found.push_back(match[1]);
@@ -112,50 +63,66 @@ Folders includes_of(const fs::path& file) {
 }
 
 bool is_in(const std::string& included, const std::string& folder) {
-  if (const auto list = lists().find(folder); list != lists().end()) {
-    return std::ranges::any_of(list->second,
-                               [&](const std::string& one) { return is_in(included, one); });
-  }
   return included == folder || included.starts_with(folder + "/");
 }
 
-/// Checks all files of a folder; returns their number.
-int check_folder(const std::string& folder, const Folders& others) {
-  int n_files = 0;
-  for (const auto& entry :
-       fs::recursive_directory_iterator(fs::path(test::source_dir()) / folder)) {
-    if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
-    ++n_files;
-    for (const std::string& included : includes_of(entry.path())) {
-      const bool may =
-          is_in(included, folder) || std::ranges::any_of(others, [&](const std::string& other) {
-            return is_in(included, other);
-          });
-      EXPECT_TRUE(may) << entry.path() << " includes " << included;
-    }
+/// The sources of a folder and of those in it.
+std::vector<fs::path> sources_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const fs::path extension = entry.path().extension();
+    if (extension == ".h" || extension == ".cpp") files.push_back(entry.path());
   }
-  return n_files;
+  return files;
 }
 
-TEST(Rooms, IncludeOnlyWhatTheyMay) {
-  int n_files = 0;
+TEST(Rooms, IncludeOnlyWhatTheTableAllows) {
+  const std::map<std::string, Paths> rules = allowed();
+  std::size_t n_files = 0;
   for (const char* const top : {"reconstruct", "evaluate", "io", "apps"}) {
-    for (const auto& entry : fs::directory_iterator(fs::path(test::source_dir()) / top)) {
+    for (const auto& entry : fs::directory_iterator(root() / top)) {
       if (!entry.is_directory()) continue;
       const std::string room = std::string(top) + "/" + entry.path().filename().string();
-      const auto rule = allowed().find(room);
-      const bool is_command = rule == allowed().end();
-      EXPECT_TRUE(!is_command || std::string(top) == "apps") << room << " has no rule";
-      n_files += check_folder(room, is_command ? allowed_to_commands() : rule->second);
+      const bool is_command = std::string(top) == "apps" && !rules.contains(room);
+      const auto rule = rules.find(is_command ? "apps/COMMAND" : room);
+      ASSERT_TRUE(rule != rules.end()) << room << " has no row";
+      for (const fs::path& file : sources_in(entry.path())) {
+        ++n_files;
+        for (const std::string& included : includes_of(file)) {
+          EXPECT_TRUE(is_in(included, room) || std::ranges::any_of(rule->second,
+                                                                   [&](const std::string& other) {
+                                                                     return is_in(included, other);
+                                                                   }))
+              << file << " includes " << included;
+        }
+      }
     }
   }
   EXPECT_GT(n_files, 600);
 }
 
-TEST(Rooms, ThatHaveARuleAreThere) {
+TEST(Rooms, OfTheTableAreThere) {
   for (const auto& [room, others] : allowed()) {
-    EXPECT_TRUE(fs::is_directory(fs::path(test::source_dir()) / room)) << room;
+    EXPECT_TRUE(room == "apps/COMMAND" || fs::exists(root() / room)) << room;
+    for (const std::string& other : others) EXPECT_TRUE(fs::exists(root() / other)) << other;
   }
+}
+
+TEST(Papers, NeverIncludeWhatGoesBeyondThem) {
+  std::size_t n_files = 0;
+  for (const fs::path& file : sources_in(root() / "reconstruct")) {
+    const std::string path = file.string();
+    if (path.find("/ok2011/") == std::string::npos &&
+        path.find("/chio_wang2000/") == std::string::npos) {
+      continue;
+    }
+    ++n_files;
+    for (const std::string& included : includes_of(file)) {
+      EXPECT_EQ(included.find("/beyond/"), std::string::npos) << file << " includes " << included;
+      EXPECT_FALSE(is_in(included, "reconstruct/surface")) << file << " includes " << included;
+    }
+  }
+  EXPECT_GT(n_files, 50U);
 }
 
 }  // namespace

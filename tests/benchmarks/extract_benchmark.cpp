@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reconstruct/ok2011/extract/extract_segments.h"
-#include "reconstruct/views/normalised_image.h"
-#include "tests/reconstruct/ok2011/extract/blurred_scene.h"
+#include "reconstruct/extract/ok2011/extract_segments.h"
+#include "reconstruct/scene/normalised_image.h"
+#include "tests/reconstruct/extract/ok2011/blurred_scene.h"
 
 #include <benchmark/benchmark.h>
 #include <opencv2/core.hpp>

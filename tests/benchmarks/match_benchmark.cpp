@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Time of the pair-wise matching against the area of the images, at 1500 segments per megapixel.
-#include "reconstruct/ok2011/match/match_pairwise.h"
-#include "tests/reconstruct/ok2011/match/stereo_pair.h"
+#include "reconstruct/match/ok2011/match_pairwise.h"
+#include "tests/reconstruct/match/ok2011/stereo_pair.h"
 #include "tests/support/random.h"
 
 #include <benchmark/benchmark.h>

@@ -2,7 +2,7 @@
 // Frames of which only windows are read: by an area, or by windows that the patch states.
 #include "io/images/image_writer.h"
 #include "io/project/segments_file.h"
-#include "reconstruct/views/normalised_image.h"
+#include "reconstruct/scene/normalised_image.h"
 #include "tests/cli/oriented_patch.h"
 
 #include <opencv2/core.hpp>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Two images in memory -> 3D lines -> lines judged against laser points: what an outside program
 // writes.
+#include "evaluate/files/judge_files.h"
+#include "evaluate/files/write_results.h"
 #include "evaluate/judge/line_to_plane_evaluation.h"
 #include "io/lines/write_lines.h"
-#include "io/results/judge_files.h"
-#include "io/results/write_results.h"
 #include "reconstruct/reconstruct.h"
 
 #include <opencv2/imgproc.hpp>

@@ -2,7 +2,7 @@
 #include "reconstruct/scaled_scene.h"
 
 #include "reconstruct/reconstruct.h"
-#include "tests/reconstruct/ok2011/extract/blurred_scene.h"
+#include "tests/reconstruct/extract/ok2011/blurred_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -2,12 +2,12 @@
 #include "apps/report/block/block_folder.h"
 
 #include "apps/report/path_shortener.h"
+#include "evaluate/files/judged_map.h"
+#include "evaluate/files/result_folder_reader.h"
 #include "evaluate/statistics/product_method.h"
 #include "io/error.h"
 #include "io/files/csv_table.h"
 #include "io/files/text_file.h"
-#include "io/results/judged_map.h"
-#include "io/results/result_folder_reader.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "apps/report/block/block_json.h"
 #include "apps/report/page.h"
 #include "apps/report/path_shortener.h"
-#include "io/results/output_folder.h"
+#include "evaluate/files/output_folder.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "evaluate/files/output_folder.h"
 #include "evaluate/gates/gate.h"
 #include "evaluate/tables/summary_json.h"
-#include "io/results/output_folder.h"
 
 #include <filesystem>
 #include <optional>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reconstruct/geometry/transformed.h"
-#include "reconstruct/views/scene.h"
+#include "reconstruct/scene/scene.h"
 #include "tests/reconstruct/support/stereo_scene.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "reconstruct/estimate/conditioned_view.h"
 #include "reconstruct/geometry/uncertain/pluecker.h"
-#include "reconstruct/views/conditioned_view.h"
 #include "tests/reconstruct/support/stereo_scene.h"
 
 #include <Eigen/Cholesky>

@@ -3,7 +3,7 @@
 // fails and says so.
 #pragma once
 
-#include "reconstruct/ok2011/estimate/reconstruct_lines.h"
+#include "reconstruct/estimate/ok2011/reconstruct_lines.h"
 
 #include <optional>
 #include <stdexcept>

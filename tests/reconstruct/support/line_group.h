@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/beyond/extensions.h"
+#include "reconstruct/estimate/beyond/extensions.h"
 #include "tests/reconstruct/support/stereo_scene.h"
 #include "tests/support/random.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/ok2011/estimate/reconstruct_lines.h"
+#include "reconstruct/estimate/ok2011/reconstruct_lines.h"
 #include "tests/reconstruct/support/line_geometry.h"
 
 #include <Eigen/Cholesky>

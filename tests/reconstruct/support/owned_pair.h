@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/views/scene.h"
+#include "reconstruct/scene/scene.h"
 
 #include <array>
 

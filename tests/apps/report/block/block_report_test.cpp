@@ -3,8 +3,8 @@
 #include "apps/report/block/block_json.h"
 #include "apps/report/block/write_block_report.h"
 #include "apps/report/page.h"
+#include "evaluate/files/output_folder.h"
 #include "evaluate/tables/table2.h"
-#include "io/results/output_folder.h"
 #include "tests/apps/report/block/block_fixture.h"
 
 #include <gmock/gmock.h>

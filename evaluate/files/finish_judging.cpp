@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/files/finish_judging.h"
+
+#include "evaluate/files/judge_decoys.h"
+#include "evaluate/files/judged_lines.h"
+#include "evaluate/files/judged_map.h"
+#include "evaluate/files/line_shift.h"
+#include "evaluate/files/value_warnings.h"
+#include "evaluate/statistics/frame_check.h"
+#include "evaluate/statistics/shared_planes.h"
+#include "evaluate/tables/shift_text.h"
+#include "io/error.h"
+
+#include <Eigen/Geometry>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+
+namespace ridgeline::results {
+namespace {
+
+using evaluate::Evaluation;
+
+/// "[CRS] x 1..2, y 3..4, z 5..6 (unit 0.3048 m)" of a box in metres, shown in the file's units.
+std::string bounds_text(const io::Crs& crs,
+                        const Eigen::AlignedBox3d& box_m,
+                        const Eigen::Vector3d& unit_m) {
+  const std::string name = io::describe(crs).name;
+  if (box_m.isEmpty()) return fmt::format("[{}] empty", name);
+  const Eigen::Vector3d low = box_m.min().cwiseQuotient(unit_m);
+  const Eigen::Vector3d high = box_m.max().cwiseQuotient(unit_m);
+  const std::string unit =
+      unit_m == Eigen::Vector3d::Ones() ? "" : fmt::format(" (unit {:.6g} m)", unit_m.x());
+  return fmt::format("[{}] x {:.2f}..{:.2f}, y {:.2f}..{:.2f}, z {:.2f}..{:.2f}{}", name, low.x(),
+                     high.x(), low.y(), high.y(), low.z(), high.z(), unit);
+}
+
+/// A hint at another unit if the lines would lie in the cloud's plan with it; "" if there is none.
+std::string unit_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBox3d& cloud_m) {
+  struct MisreadUnit {
+    const char* name;
+    double m;
+    const char* factor;
+  };
+  constexpr std::array kUnits{
+      MisreadUnit{"feet", 0.3048, "0.3048"},    MisreadUnit{"millimetres", 0.001, "0.001"},
+      MisreadUnit{"centimetres", 0.01, "0.01"}, MisreadUnit{"inches", 0.0254, "0.0254"},
+      MisreadUnit{"yards", 0.9144, "0.9144"},   MisreadUnit{"decimetres", 0.1, "0.1"},
+      MisreadUnit{"kilometres", 1000.0, "1000"}};
+  const auto overlaps = [&](double factor) {
+    const Eigen::AlignedBox2d scaled(factor * lines_m.min().head<2>(),
+                                     factor * lines_m.max().head<2>());
+    return scaled.intersects(Eigen::AlignedBox2d(cloud_m.min().head<2>(), cloud_m.max().head<2>()));
+  };
+  if (lines_m.isEmpty() || overlaps(1.0)) return "";
+  for (const MisreadUnit& unit : kUnits) {
+    if (!overlaps(unit.m)) continue;
+    return fmt::format(
+        "; scaled by {} the lines would lie in the cloud: are they in {} and the cloud in metres? "
+        "Define the reference system of both",
+        unit.factor, unit.name);
+  }
+  if (overlaps(1.0 / 0.3048)) {
+    return "; scaled by 3.2808 the lines would lie in the cloud: are they in metres and the cloud "
+           "in feet? Define the reference system of both";
+  }
+  return "";
+}
+
+/// A hint at exchanged or turned axes if the lines would lie in the cloud's plan with them; "" if
+/// there is none.
+std::string axis_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBox3d& cloud_m) {
+  struct Axes {
+    const char* change;
+    Eigen::Matrix2d plan;
+  };
+  const Eigen::Matrix2d exchanged{{0.0, 1.0}, {1.0, 0.0}};
+  const Eigen::Matrix2d x_turned{{-1.0, 0.0}, {0.0, 1.0}};
+  const std::array all{Axes{"x and y exchanged", exchanged}, Axes{"x negated", x_turned},
+                       Axes{"y negated", -x_turned}};
+  const auto overlaps = [&](const Eigen::Matrix2d& plan) {
+    const Eigen::Vector2d a = plan * lines_m.min().head<2>();
+    const Eigen::Vector2d b = plan * lines_m.max().head<2>();
+    return Eigen::AlignedBox2d(a.cwiseMin(b), a.cwiseMax(b))
+        .intersects(Eigen::AlignedBox2d(cloud_m.min().head<2>(), cloud_m.max().head<2>()));
+  };
+  if (lines_m.isEmpty() || overlaps(Eigen::Matrix2d::Identity())) return "";
+  const auto right =
+      std::ranges::find_if(all, [&](const Axes& axes) { return overlaps(axes.plan); });
+  if (right == all.end()) return "";
+  return fmt::format(
+      "; with {} the lines would lie in the cloud: are their axes in another order or direction?",
+      right->change);
+}
+
+/// A clause on a shift that all lines have; "" if there is none.
+std::string shift_hint(const std::optional<evaluate::ConstantShift>& shift) {
+  if (!shift || !shift->is_significant()) return "";
+  return fmt::format("; all lie beside it by the same shift, {}{}{} (`apply_shift` takes it away)",
+                     evaluate::shift_text(*shift),
+                     shift->cause.empty() ? "" : ", likely cause: ", shift->cause);
+}
+
+Eigen::AlignedBox3d bounds_m_of(const io::LineSet& set) {
+  const Eigen::Vector3d unit_m = unit_m_of(set);
+  Eigen::AlignedBox3d box;
+  for (const io::Line& line : set.lines) {
+    if (!all_finite(line.segment_in_world)) continue;
+    box.extend(line.segment_in_world.start.cwiseProduct(unit_m));
+    box.extend(line.segment_in_world.end.cwiseProduct(unit_m));
+  }
+  return box;
+}
+
+void refuse_foreign_frame(const Evaluation& evaluation,
+                          const io::LineSet& set,
+                          io::CloudFiles& cloud) {
+  const evaluate::FrameCheck check = evaluate::check_frame(evaluation.lines, kFrameTolerance_m);
+  if (check.same_frame) return;
+  const Eigen::AlignedBox3d cloud_box = cloud.extent_in_world();
+  if (cloud_box.isEmpty()) {
+    throw io::IoError(
+        cloud.path(),
+        fmt::format("no point lies within `bounds`; must be in the cloud's own coordinates, [{}], "
+                    "unit {}",
+                    io::describe(cloud.crs()).name,
+                    io::unit_text(cloud.unit_m().x() * cloud.plan_scale().x())));
+  }
+  const Eigen::AlignedBox3d lines_box = bounds_m_of(set);
+  throw io::IoError(
+      set.path,
+      fmt::format("lines and cloud are not in the same frame: {}; lines {}; cloud {}{}{}",
+                  check.reason + shift_hint(evaluation.shift),
+                  bounds_text(set.crs, lines_box, unit_m_of(set)),
+                  bounds_text(cloud.crs(), cloud_box, cloud.unit_m()),
+                  unit_hint(lines_box, cloud_box) + axis_hint(lines_box, cloud_box),
+                  set.stated_unit.empty()
+                      ? ""
+                      : fmt::format("; the unit of the line file is {}", set.stated_unit)));
+}
+
+nlohmann::ordered_json cloud_facts(const CloudReadings& readings, const io::CloudFiles& files) {
+  const io::PointCloud& cloud = readings.cloud;
+  nlohmann::ordered_json json;
+  json["crs"] = io::describe(cloud.crs).name;
+  json["horizontal_unit_m"] = cloud.horizontal_unit_m;
+  json["vertical_unit_m"] = cloud.vertical_unit_m;
+  if (const Eigen::Vector2d& scale = files.plan_scale(); scale != Eigen::Vector2d::Ones()) {
+    json["plan_scale"] = {scale.x(), scale.y()};
+  }
+  json["n_batches"] = readings.n_batches;
+  json["n_files_unread"] = files.unread_paths().size();
+  json["n_read"] = cloud.n_read;
+  json["n_kept"] = readings.n_kept;
+  json["n_dropped_class"] = cloud.n_dropped_class;
+  json["n_dropped_withheld"] = cloud.n_dropped_withheld;
+  json["n_dropped_return"] = cloud.n_dropped_return;
+  json["n_dropped_bounds"] = cloud.n_dropped_bounds;
+  json["n_dropped_non_finite"] = cloud.n_dropped_non_finite;
+  return json;
+}
+
+void refuse_empty(const io::PointCloud& cloud, const std::string& path) {
+  if (cloud.n_read == 0) {
+    throw io::IoError(path, "has no points to judge lines against");
+  }
+  const std::uint64_t filtered = cloud.n_dropped_class + cloud.n_dropped_withheld +
+                                 cloud.n_dropped_return + cloud.n_dropped_non_finite;
+  if (filtered < cloud.n_read) return;
+  throw io::IoError(
+      path, fmt::format("none of {} points are left: {} dropped by class, {} withheld, {} not last "
+                        "returns, {} not finite; `ridgeline info` lists its classes",
+                        cloud.n_read, cloud.n_dropped_class, cloud.n_dropped_withheld,
+                        cloud.n_dropped_return, cloud.n_dropped_non_finite));
+}
+
+Evaluation evaluation_of(const io::LineSet& set,
+                         std::vector<evaluate::JudgedResult> results,
+                         const std::optional<evaluate::ConstantShift>& shift,
+                         const LocalFrame& frame,
+                         const JudgeFilesOptions& options) {
+  Evaluation evaluation;
+  evaluation.patch = options.patch_name;
+  evaluation.method = stem_of(set.path);
+  evaluation.origin_m = frame.origin_m;
+  evaluation.options = options.summary;
+  evaluation.shift = shift;
+  evaluation.lines.reserve(results.size());
+  for (evaluate::JudgedResult& result : results) {
+    evaluation.lines.push_back(std::move(result.evaluation));
+  }
+  return evaluate::with_summaries(std::move(evaluation));
+}
+
+/// Keeps what planes of other areas are compared with.
+void sample_planes(std::vector<evaluate::JudgedResult>& results) {
+  for (evaluate::JudgedResult& result : results) {
+    for (std::size_t p = 0; p < result.inlier_keys.size(); ++p) {
+      result.evaluation.planes[p].sample = evaluate::point_sample(result.inlier_keys[p]);
+    }
+  }
+}
+
+/// Adds the warnings of the cloud in front of those of cloud and lines together, and the warnings
+/// of the lines behind.
+void add_warnings(const io::PointCloud& cloud, JudgedFiles& judged) {
+  judged.warnings.insert(judged.warnings.begin(), cloud.warnings.begin(), cloud.warnings.end());
+  for (const io::LineSet& set : judged.line_sets) {
+    std::ranges::move(own_warnings(set), std::back_inserter(judged.warnings));
+    if (const std::string warning = left_out_of_map(set); !warning.empty()) {
+      judged.warnings.push_back(fmt::format("{}: {}", set.path, warning));
+    }
+  }
+}
+
+}  // namespace
+
+JudgedFiles finish_judging(PreparedLines prepared,
+                           JudgedBatches batches,
+                           io::CloudFiles& cloud,
+                           const JudgeFilesOptions& options,
+                           RunRecord& record) {
+  JudgedFiles judged = std::move(prepared.judged);
+  LineSets& lines = prepared.lines;
+  LineShifts shifts = shifts_of(batches, lines, judged.line_sets, options, cloud);
+  if (options.apply_shift && apply_shifts(shifts, lines)) {
+    batches = batches.decoys.empty()
+                  ? judge_in_batches(cloud, lines, options.judge, options.cloud_memory_mib << 20U)
+                  : judge_with_decoys(cloud, lines, options);
+  }
+  const io::PointCloud& facts = batches.readings.cloud;
+  record.set("cloud", cloud_facts(batches.readings, cloud));
+  record.end_stage("judge");
+
+  if (!options.area) refuse_empty(facts, cloud.path());
+  add_warnings(facts, judged);
+  judged.unread_clouds = cloud.unread_paths();
+  std::ranges::move(prepared.reference_warnings, std::back_inserter(judged.warnings));
+  judged.cloud_crs = cloud.crs();
+  judged.cloud_unit_m = cloud.unit_m();
+  if (options.judge.keep_points) {
+    judged.points = evaluate::plane_points(batches.results.front());  // of the only line file
+  }
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (options.area) sample_planes(batches.results[i]);
+    judged.planes.push_back(evaluate::judged_planes(batches.results[i]));
+    judged.evaluations.push_back(evaluation_of(judged.line_sets[i], std::move(batches.results[i]),
+                                               shifts[i], judged.frame, options));
+    if (options.area) judged.evaluations.back().area = std::move(judged.areas[i]);
+    if (!options.area) refuse_foreign_frame(judged.evaluations.back(), judged.line_sets[i], cloud);
+    if (!batches.decoys.empty()) {
+      add_decoys(batches.decoys[i], lines[i], judged.evaluations.back());
+      check_follows_cloud(judged.evaluations.back(), judged.line_sets[i].path, options,
+                          judged.warnings);
+    }
+    add_value_warnings(judged.line_sets[i], judged.evaluations.back(), options.cloud.strict,
+                       judged.warnings);
+    judged.truth.push_back(
+        compare_with_truth(judged.evaluations.back(), lines[i], prepared.references));
+    if (shifts[i] && shifts[i]->applied) {
+      judged.line_sets[i] = moved(std::move(judged.line_sets[i]), -shifts[i]->shift_m);
+    }
+  }
+  record.end_stage("statistics");
+  return judged;
+}
+
+}  // namespace ridgeline::results

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/files/judge_batches.h"
+#include "evaluate/files/judge_files.h"
+#include "evaluate/files/prepare_lines.h"
+#include "evaluate/files/run_record.h"
+#include "io/cloud/cloud_files.h"
+
+namespace ridgeline::results {
+
+/// The tolerance of check_frame(): lines with a median distance above 20 times this are not in the
+/// frame of the cloud. A geoid taken for an ellipsoid (tens of metres) is found so, and lines that
+/// are a storey too high are judged.
+inline constexpr double kFrameTolerance_m = 1.0;
+
+/// The last step of judge_lines(), which needs all lines: their shift, the figures, the check of
+/// the frame, and warnings of the values. With JudgeFilesOptions::apply_shift it judges them once
+/// more. `batches`: what judge_in_batches() gave for the prepared lines. Throws IoError as
+/// judge_files().
+JudgedFiles finish_judging(PreparedLines prepared,
+                           JudgedBatches batches,
+                           io::CloudFiles& cloud,
+                           const JudgeFilesOptions& options,
+                           RunRecord& record);
+
+}  // namespace ridgeline::results

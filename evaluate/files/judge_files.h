@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/files/judged_lines.h"
+#include "evaluate/files/judged_model.h"
+#include "evaluate/files/run_record.h"
+#include "evaluate/judge/judged_planes.h"
+#include "evaluate/judge/options.h"
+#include "evaluate/statistics/evaluation.h"
+#include "io/cloud/cloud_files.h"
+#include "io/cloud/read_cloud.h"
+#include "io/lines/read_lines.h"
+#include "io/project/patch.h"
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ridgeline::results {
+
+struct JudgeFilesOptions {
+  std::vector<std::string> line_paths;
+  std::vector<std::string> cloud_paths;  ///< files and patterns
+  std::optional<io::PatchFile> patch;    ///< its cameras class the lines aligned / not_aligned
+  double max_aligned_angle_deg = kMaxAlignedAngle_deg;  ///< of the class aligned
+  std::string patch_name;                               ///< in the tables
+  std::optional<std::string> reference_lines;           ///< file of true lines, for precision etc.
+  io::ReadOptions cloud;
+  io::ReadLinesOptions lines;
+  evaluate::JudgeOptions judge;
+  evaluate::SummaryOptions summary;
+  bool scale_to_ground = false;  ///< see set_plan_scale()
+  /// Judge only the lines that belong to this part of the plan, in the cloud's own coordinates; see
+  /// keep_area(). Nothing is refused then that only all lines can show.
+  std::optional<Eigen::AlignedBox2d> area = {};
+  /// Whether lines with a significant shift are moved against it and judged again.
+  bool apply_shift = false;
+  /// To how many wrong places lines of each file are moved and judged again, see
+  /// evaluate::make_decoys(); default: evaluate::default_n_decoys(). 0: none, and lines are not
+  /// compared with themselves elsewhere.
+  std::optional<std::size_t> n_decoys = {};
+  /// Whether lines that fit the cloud no better than elsewhere are an error; a warning otherwise.
+  bool refuse_other_places = true;
+  std::string geoid;  ///< grid for the likely cause of a shift, see io::geoid_at(); may be empty
+  /// Memory for the points that are held at one time, see judge_in_batches(). 512 MiB hold
+  /// about 5.6 million.
+  std::uint64_t cloud_memory_mib = 512;
+  bool needs_models = false;  ///< whether line files must be models of buildings
+  /// Attributes of the buildings of models by which figures are grouped.
+  std::vector<std::string> by;
+};
+
+struct JudgedFiles {
+  LocalFrame frame;
+  std::vector<io::LineSet> line_sets;             ///< as read, or moved as Evaluation::shift says
+  std::vector<evaluate::Evaluation> evaluations;  ///< one per line file; method: the file's stem
+  std::vector<std::vector<evaluate::JudgedPlane>> planes;  ///< of each evaluation
+  std::vector<evaluate::PlanePoint> points;  ///< of all planes, if the judge keeps them
+  io::Crs cloud_crs;
+  Eigen::Vector3d cloud_unit_m = Eigen::Vector3d::Ones();
+  std::vector<TruthRows> truth;  ///< one per evaluation
+  /// One per line file: the buildings and faces of a model, nothing for other files.
+  std::vector<std::optional<JudgedModel>> models;
+  std::vector<evaluate::AreaPart> areas;  ///< one per line file, if only an area is judged
+  std::vector<std::string> warnings;
+  std::vector<std::string> unread_clouds;  ///< cloud files that have no line near them
+};
+
+/// The lines of one run, as read, each set named by its path.
+struct LinesToJudge {
+  std::vector<io::LineSet> sets;
+  std::optional<io::LineSet> references;  ///< true lines
+};
+
+/// Reads lines and the points near them into one local frame, judges the lines, estimates the shift
+/// of each file and computes the figures. Throws IoError for a file's fault, a CRS or unit mismatch
+/// (both named) and for lines that are not in the frame of the cloud or do not follow it.
+JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record);
+
+/// Judges as judge_files() does, but takes lines and a cloud that are open already or come from
+/// elsewhere. Paths of the options are not read.
+JudgedFiles judge_lines(LinesToJudge lines,
+                        io::CloudFiles& cloud,
+                        const JudgeFilesOptions& options,
+                        RunRecord& record);
+
+/// Throws IoError for the file at `path`, naming both reference systems, if its own and the other
+/// do not agree. `what` names the two things in the message, "lines and cloud". What one of the two
+/// systems leaves open becomes a warning.
+void refuse_mismatch(std::string_view what,
+                     const std::string& path,
+                     const io::Crs& crs,
+                     const io::Crs& other,
+                     std::vector<std::string>* warnings = nullptr);
+
+/// The warnings of the reader of the lines, each behind the file's path.
+std::vector<std::string> own_warnings(const io::LineSet& set);
+
+/// A file's name without folder and extension, in UTF-8.
+std::string stem_of(const std::string& path);
+
+}  // namespace ridgeline::results

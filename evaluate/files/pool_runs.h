@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/files/model_files.h"
+#include "evaluate/statistics/evaluation.h"
+#include "evaluate/tables/summary_json.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace ridgeline::results {
+
+/// The folder of a judgement of the lines of one area.
+struct AreaRun {
+  std::string folder;
+  evaluate::Json run;                             ///< its run.json
+  std::array<double, 4> bounds{};                 ///< see evaluate::AreaPart
+  std::vector<evaluate::Evaluation> evaluations;  ///< in the order of the line files
+};
+
+/// The judgements of areas as those of all lines.
+struct PooledRuns {
+  std::vector<AreaRun> runs;                      ///< by their bounds; without lines
+  std::vector<evaluate::Evaluation> evaluations;  ///< one per line file
+  ModelTables models;
+  evaluate::Json options;  ///< that all runs have in common, with the paths of the first
+  std::vector<evaluate::Json> inputs;  ///< of all runs, as run.json records them
+  std::vector<std::string> warnings;
+};
+
+/// Reads the folders of runs that judged the same line files area by area and puts the lines
+/// together, in the order of their files. Figures are computed anew from all lines; planes of
+/// several runs that were fitted to the same points become one. Throws IoError for a folder that is
+/// not of an area, for runs of other lines, options, versions or reference systems, for runs that
+/// moved their lines, for areas that overlap and lines that stand twice, and for lines that do not
+/// follow the cloud, as judge_files().
+PooledRuns pool_runs(const std::vector<std::string>& folders);
+
+}  // namespace ridgeline::results

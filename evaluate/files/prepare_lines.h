@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/files/judge_batches.h"
+#include "evaluate/files/judge_files.h"
+#include "evaluate/statistics/reference_errors.h"
+#include "io/cloud/cloud_files.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ridgeline::results {
+
+/// Lines that are ready to be judged: in the frame and the units of the cloud.
+struct PreparedLines {
+  JudgedFiles judged;  ///< so far: lines as read, frame, warnings
+  LineSets lines;
+  std::optional<std::vector<evaluate::ReferenceLine>> references;
+  std::vector<std::string> reference_warnings;
+};
+
+/// Reads the lines and the true lines that the options name. Throws IoError as read_lines(), and
+/// for two files of lines with one name.
+LinesToJudge read_lines_to_judge(const JudgeFilesOptions& options);
+
+/// The first step of judge_lines(). Throws IoError for a CRS or unit mismatch.
+PreparedLines prepare_lines(LinesToJudge to_judge,
+                            io::CloudFiles& cloud,
+                            const JudgeFilesOptions& options);
+
+}  // namespace ridgeline::results

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/estimate/beyond/depth_consensus/depth_evidence.h"
+#include "reconstruct/estimate/beyond/options.h"
+#include "reconstruct/estimate/ok2011/candidate_points.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// An aligned track in the frames of the estimation. Base and other segment determine its depth. It
+/// borrows what it is made of.
+struct AlignedTrack {
+  AlignedTrack(const TrackedLines& all, const ObservedTrack& observed);
+
+  const TrackedLines& lines;
+  const ObservedTrack& line;
+  /// Whether the other segment runs the other way than the base segment. The rule by which the
+  /// segments were directed does not matter.
+  bool runs_back;
+
+  /// The starts (0) or the ends (1) of both segments, in the direction of the base segment.
+  [[nodiscard]] std::array<Eigen::Vector2d, 2> ends(int which) const;
+  /// Where both views show an artificial point of the line.
+  [[nodiscard]] std::array<Eigen::Vector2d, 2> places_of(const CandidatePoint& point) const;
+};
+
+/// What tells the depth of a track: the artificial points of sufficient weight, and the points that
+/// its ends show.
+struct TrackEvidence {
+  AlignedTrack track;
+  std::vector<CandidatePoint> points;
+  std::vector<UncertainPoint3> ends;
+  std::vector<int> which_ends;          ///< for each of `ends`: 0 starts, 1 ends of the segments
+  std::vector<DepthEvidence> on_depth;  ///< the evidence of the points, then that of the ends
+};
+
+TrackEvidence evidence_of(const AlignedTrack& track,
+                          std::span<const int> neighbours,
+                          const EstimationOptions& options);
+
+/// The point in object space that both views show, by its place on the segment of each. The result
+/// is empty if there is no such point in front of the cameras and within the range of heights.
+/// @param x         the places in the base view and the other one, conditioned
+/// @param sigma_px  sigma of both places along the line
+std::optional<UncertainPoint3> point_in_object(const AlignedTrack& track,
+                                               const std::array<Eigen::Vector2d, 2>& x,
+                                               double sigma_px);
+
+}  // namespace ridgeline::reconstruct

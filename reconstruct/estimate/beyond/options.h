@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/estimate/ok2011/options.h"
+#include "reconstruct/geometry/field.h"
+
+#include <tuple>
+
+namespace ridgeline::reconstruct {
+
+/// The options of the extensions of the estimation; see estimate_extensions().
+struct EstimateExtensionOptions {
+  /// A not_aligned line whose end is less certain than this (height) is given between the ends of
+  /// the right segment, because its left segment continues far beyond a short right one.
+  double max_end_sigma_m = 0.5;
+  /// Right segments of not_aligned matches are moved to where the right image shows what lies under
+  /// the left ones, by the colour profiles across the lines. See compare_profiles().
+  bool register_profiles = true;
+  /// Sigmas depend on how alike both images show the two edges of a match, and the error that both
+  /// have in common is added. See own_sigma_scale() and add_shared_error().
+  bool shared_errors = true;
+  /// Only points that agree on the depth of the line are used. If fewer than two remain, the ends
+  /// of both segments and horizontality help. See agree_on_depth().
+  bool consensus = true;
+  /// Dense matching of the pair tells how deep the surfaces beside each line are. See SurfaceDepth.
+  /// Without it faces_beside does nothing either.
+  bool surface = true;
+  /// `joint` and `network` adjust lines to the plane faces that they border in the surface by dense
+  /// matching. See adjust_to_faces_beside().
+  bool faces_beside = true;
+
+  /// Whether `joint` and `network` adjust lines to the plane faces beside them.
+  [[nodiscard]] constexpr bool adjusts_to_faces() const { return surface && faces_beside; }
+
+  static constexpr EstimateExtensionOptions none() {
+    return {.max_end_sigma_m = 1e6,
+            .register_profiles = false,
+            .shared_errors = false,
+            .consensus = false,
+            .surface = false,
+            .faces_beside = false};
+  }
+
+  static constexpr auto fields() {
+    using O = EstimateExtensionOptions;
+    return std::tuple{
+        Field{"max_end_sigma_m", &O::max_end_sigma_m, 0.0, 1e6,
+              "above this sigma of an end, a line uses the segment ends of the second image"},
+        Field{"register_profiles", &O::register_profiles, false, true,
+              "not_aligned: shift the edge in the second image to align the profiles across it"},
+        Field{"shared_errors", &O::shared_errors, false, true,
+              "derive sigmas from the similarity of both edges, including errors common to both "
+              "images"},
+        Field{"consensus", &O::consensus, false, true,
+              "use only points that agree on the depth of their line; off: as published"},
+        Field{"surface", &O::surface, false, true,
+              "consensus, faces_beside: use adjacent surfaces from dense matching"},
+        Field{"faces_beside", &O::faces_beside, false, true,
+              "joint, network: adjust lines to adjacent roof and ground planes"}};
+  }
+};
+
+/// How lines of buildings meet and lie, for depth_consensus and network.
+struct BuildingOptions {
+  double sigma_meeting_m = 0.1;  ///< sigma of the distance of lines that meet
+  double max_miss_m = 2.5;       ///< largest distance of lines that only seem to meet
+  double sigma_slope = 0.01;     ///< sigma of the slope of lines that are built horizontal
+
+  static constexpr auto fields() {
+    using O = BuildingOptions;
+    return std::tuple{Field{"sigma_meeting_m", &O::sigma_meeting_m, 1e-4, 1e3,
+                            "consensus, network: sigma of the distance of lines that meet"},
+                      Field{"max_miss_m", &O::max_miss_m, 1e-3, 1e4,
+                            "network: maximum distance of lines that only seem to meet"},
+                      Field{"sigma_slope", &O::sigma_slope, 1e-6, 1.0,
+                            "consensus, network: sigma of the slope of horizontal lines"}};
+  }
+};
+
+/// The options of depth_consensus.
+struct ConsensusOptions {
+  double sigma_end_px = 1.0;       ///< sigma along the line of ends that show the same point
+  double gable_share = 0.8;        ///< prior share of gables among what has the shape of one
+  double step_share = 0.07;        ///< prior share of crossings where a row of lines has a step
+  double min_cut_length_px = 7.0;  ///< least length of each part of a match that is cut
+  /// A line is given no geometry if another depth explains it about as well: if the log of the odds
+  /// between both depths is below this.
+  double min_depth_margin = 2.5;
+
+  static constexpr auto fields() {
+    using O = ConsensusOptions;
+    return std::tuple{
+        Field{"sigma_end_px", &O::sigma_end_px, 1e-3, 1e3,
+              "consensus: sigma of corresponding segment ends along the line"},
+        Field{"gable_share", &O::gable_share, 0.0, 1.0,
+              "consensus: prior probability that a gable-shaped group of lines is a gable"},
+        Field{"step_share", &O::step_share, 0.0, 1.0,
+              "consensus: prior probability of a step where a row of lines is crossed"},
+        Field{"min_cut_length_px", &O::min_cut_length_px, 1.0, 1e6,
+              "consensus: minimum length of a part of a cut match"},
+        Field{"min_depth_margin", &O::min_depth_margin, 0.0, 1e3,
+              "consensus: minimum log odds against another depth; below, the line is ambiguous"}};
+  }
+};
+
+/// The options of the estimation: those of the paper and those of its extensions.
+struct EstimationOptions {
+  ReconstructOptions lines;
+  EstimateExtensionOptions beyond;
+  BuildingOptions building{};
+  ConsensusOptions consensus{};
+};
+
+}  // namespace ridgeline::reconstruct

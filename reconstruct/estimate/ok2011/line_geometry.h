@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/estimate/conditioned_view.h"
+#include "reconstruct/estimate/ok2011/reconstruct_lines.h"
+
+#include <optional>
+#include <span>
+
+namespace ridgeline::reconstruct {
+
+/// A segment with the covariance of (start, end).
+struct UncertainSegment3 {
+  Segment3 segment;
+  Matrix6d cov;
+};
+
+/// The part of a 3D line seen as an image segment, in the conditioned frame: each endpoint is where
+/// the line meets the plane of the image line through the segment's end, normal to the segment. The
+/// covariance of an endpoint is the sum of the shares of the line and, along the line, of the image
+/// endpoint.
+std::optional<UncertainSegment3> endpoints(const UncertainLine3& line,
+                                           const ConditionedView& view,
+                                           const ObservedLine& observed,
+                                           std::span<const ConditionedView> views);
+
+/// The larger height sigma of the two ends of a segment.
+double largest_sigma_z_m(const Matrix6d& cov_m2);
+
+/// Sets the geometry of the result to the part of the line that its views show.
+/// - Two segments: between the ends of the base segment. A not_aligned line whose height at an end
+/// is less
+///   certain than `max_end_sigma_m` gets the part between the ends of the other segment if these
+///     are more
+///   certain; it keeps them from then on.
+/// - More: to the farthest ends that two views show. Each is the median of the views that agree
+/// within 3 sigma. Returns false and changes nothing if a camera does not see the line between its
+/// base ends.
+bool assign_geometry(const ConditionedViews& frames,
+                     const ObservedTrack& track,
+                     const UncertainLine3& estimate,
+                     double max_end_sigma_m,
+                     ReconstructedLine& result);
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/extract/beyond/options.h"
+#include "reconstruct/extract/ok2011/edge_segments.h"
+
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// Cuts edges where others end on them and they change their course, be it by a tenth of a pixel.
+/// Examples are the two verges of a gable below the end of its ridge, and the eaves of a stepped
+/// terrace between the party walls. In aerial images these run on in one line to a fraction of a
+/// pixel while they are metres apart in height. A bend where no other edge ends tells less
+/// (bends()), because the colours beside an edge change and shift it.
+///
+/// An edge is first cut at all its junctions. Neighbouring parts are then joined again if two lines
+/// do not fit better than one by min_junction_bend_px (root mean square) and by more than the
+/// scatter explains; parts that one line fits best are joined first. Each part is at least 2.5
+/// times min_length_px long.
+std::vector<EdgeTrace> cut_at_junctions(std::vector<EdgeTrace> edges,
+                                        const ExtractionOptions& options);
+
+}  // namespace ridgeline::reconstruct

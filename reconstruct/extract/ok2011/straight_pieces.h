@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/extract/ok2011/options.h"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// A run of points [first, last).
+struct Piece {
+  int first = 0, last = 0;
+};
+
+/// The centroid and principal axes of points.
+struct PrincipalAxes {
+  Eigen::Vector2d centroid;
+  /// Unit, axis of the larger variance, from the first to the last point.
+  Eigen::Vector2d along;
+  double lambda_min = 0.0;    ///< variance across the axis, dividing by n
+  double max_distance = 0.0;  ///< largest distance of a point from the axis
+};
+/// The principal axes of at least one point; identical points have the x axis.
+PrincipalAxes principal_axes(std::span<const Eigen::Vector2d> points);
+
+/// Cuts an ordered curve into straight pieces: a run is straight if the points' variance across
+/// their principal axis is at most `max_lambda_min_px2` and none is farther from it than
+/// `max_deviation_px`; else it is cut at the point farthest from the chord of its ends, and both
+/// halves are treated alike. Pieces whose chord is shorter than `min_length_px` are left out.
+std::vector<Piece> straight_pieces(std::span<const Eigen::Vector2d> points,
+                                   const ExtractOptions& options);
+
+}  // namespace ridgeline::reconstruct

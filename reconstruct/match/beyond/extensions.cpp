@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/match/beyond/extensions.h"
+
+#include "reconstruct/match/beyond/close_lines.h"
+#include "reconstruct/match/beyond/hidden_walls/hidden_strips.h"
+#include "reconstruct/match/beyond/hidden_walls/side_past_wall.h"
+#include "reconstruct/match/beyond/matched_radiometry.h"
+#include "reconstruct/match/beyond/surface_candidates.h"
+
+#include <array>
+
+namespace ridgeline::reconstruct {
+
+MatchExtensions match_extensions(const MatchExtensionOptions& options,
+                                 const CandidateOptions& candidates,
+                                 const Surface* surface) {
+  MatchExtensions beyond;
+  if (options.hidden_walls) beyond.look = look_past_wall;
+  if (options.matched_radiometry) {
+    beyond.radiometry = [candidates, look = beyond.look](const SearchedPair& pair,
+                                                         const Radiometry& first) {
+      return matched_radiometry(pair, first, candidates, look);
+    };
+  }
+  beyond.candidates = [options, surface](const SearchedPair& pair, const Radiometry& radiometry,
+                                         Candidates& found) {
+    const std::array<CloseLines, 2> close{close_lines(ideal_segments(pair.left)),
+                                          close_lines(ideal_segments(pair.right))};
+    if (options.close_lines) keep_order_of_close_lines(pair, close, found);
+    if (options.hidden_walls) compare_across_hidden_strips(pair, radiometry, close, found);
+    if (options.surface && surface != nullptr)
+      weigh_by_surface(*surface, ideal_segments(pair.left), found);
+  };
+  return beyond;
+}
+
+ChioExtensions chio_extensions(const ChioExtensionOptions& options,
+                               const CandidateLook& change_look) {
+  ChioExtensions beyond{change_look};
+  if (options.allow_noise) beyond.noise = NoiseAllowance{options.edge_sigma_px};
+  if (options.by_look)
+    beyond.by_look = ChoiceByLook{options.min_similarity, options.max_similarity_ratio};
+  return beyond;
+}
+
+}  // namespace ridgeline::reconstruct

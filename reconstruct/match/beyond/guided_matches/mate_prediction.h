@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/segment.h"
+#include "reconstruct/surface/surface.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <optional>
+
+namespace ridgeline::reconstruct {
+
+/// Tells where segments of one view are seen in the other one, if they bound a surface.
+class MatePrediction {
+ public:
+  /// @param from  the view of the segments: 0 left, 1 right
+  MatePrediction(const Surface& surface, std::size_t from);
+
+  /// The segment in the other view, in ideal pixels, in the direction of the given one. It lies on
+  /// the nearer surface, which a line bounds. Nothing if that surface is not to be trusted, or
+  /// within 10 degrees of the direction of the base, where a shift along the line changes nothing.
+  [[nodiscard]] std::optional<Segment2> of(const Segment2& segment) const;
+
+ private:
+  Surface surface_;  ///< the surface as the view of the segments shows it
+  /// Shift along the rows that keeps the pixels of the right view in the frame of the left one.
+  double moved_px_ = 0.0;
+  std::size_t from_;
+  Eigen::Matrix3d ideal_from_rectified_;  ///< homography of the other view
+};
+
+}  // namespace ridgeline::reconstruct

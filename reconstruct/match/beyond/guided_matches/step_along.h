@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/appearance/image_sampler.h"
+#include "reconstruct/extract/ok2011/line_tracer.h"
+#include "reconstruct/geometry/segment.h"
+
+#include <optional>
+
+namespace ridgeline::reconstruct {
+
+/// The step of colour beside an expected line. The gradient across the line is averaged along it.
+/// This shows a step that is too weak for single pixels or lies two pixels beside a stronger one.
+/// Each peak of the mean within 2 px is a step if it is significant: 3.5 standard deviations, by
+/// the scatter along the line. The most significant one is taken, weighted down by its distance
+/// from the line (standard deviation 0.5 px), and followed with a window of 5 px.
+/// @param expected  in pixels of the file; the result has the same direction
+/// Nothing if there is no step, if less than three quarters of the line follow it, or if the line
+/// is shorter than 10 px.
+std::optional<EdgeTrace> step_along(const ImageSampler& image, const Segment2& expected);
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/match/beyond/close_lines.h"
+#include "reconstruct/match/candidates.h"
+
+#include <array>
+
+namespace ridgeline::reconstruct {
+
+/// Compares lines across strips that only one camera sees, such as the wall below an eave or the
+/// front of a garden wall.
+///
+/// The upper edge of a wall appears farther from the nadir than its lower edge. The camera that
+/// faces the wall sees both edges a few pixels apart. The other camera sees the upper edge only,
+/// with the ground where the wall would be. The *lower* edge then looks more like this edge than
+/// the upper one does, because the ground is beside both. So, if both edges of a strip have the
+/// same mate and the image of the mate shows no such strip, the upper edge is compared again with
+/// the strip cut out: on the side of the strip, what lies beyond the lower edge counts. If the
+/// upper edge is then about as similar as the lower edge, the upper edge keeps the better
+/// similarity and the lower edge loses the candidate.
+///
+/// @param close  the close lines of each segment, in the left and in the right image
+void compare_across_hidden_strips(const SearchedPair& views,
+                                  const Radiometry& radiometry,
+                                  const std::array<CloseLines, 2>& close,
+                                  Candidates& candidates);
+
+}  // namespace ridgeline::reconstruct

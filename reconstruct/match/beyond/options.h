@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/field.h"
+
+#include <tuple>
+
+namespace ridgeline::reconstruct {
+
+/// The options of the extensions of the matching; see match_extensions() and propagate_heights().
+struct MatchExtensionOptions {
+  bool matched_radiometry = true;
+  bool close_lines = true;
+  bool hidden_walls = true;
+  bool propagate_heights = true;
+  /// The depth of the surfaces beside a line speaks for or against its candidates. See
+  /// weigh_by_surface().
+  bool surface = true;
+  /// Mates of unmatched segments are looked for where the surfaces beside the segments predict
+  /// them. See guided_matches().
+  bool guided = true;
+  double guided_min_similarity = 0.8;
+  /// Lines matched by height must look more alike than other lines of `chio` (its min_similarity).
+  /// On the training villages 4 of 19 lines below this value were false, and none of the 6 from
+  /// this value on.
+  double propagate_min_similarity = 0.82;
+
+  static constexpr MatchExtensionOptions none() {
+    return {.matched_radiometry = false,
+            .close_lines = false,
+            .hidden_walls = false,
+            .propagate_heights = false,
+            .surface = false,
+            .guided = false};
+  }
+
+  static constexpr auto fields() {
+    using O = MatchExtensionOptions;
+    return std::tuple{
+        Field{"matched_radiometry", &O::matched_radiometry, false, true,
+              "estimate gain and offset of the images from common surfaces"},
+        Field{"close_lines", &O::close_lines, false, true,
+              "keep the order of the two edges of a narrow strip"},
+        Field{"hidden_walls", &O::hidden_walls, false, true,
+              "compare edges across walls visible to only one camera"},
+        Field{"propagate_heights", &O::propagate_heights, false, true,
+              "match remaining lines at the height of matched lines that they meet"},
+        Field{"surface", &O::surface, false, true,
+              "select among candidates by the depth of the adjacent surfaces (dense matching)"},
+        Field{"guided", &O::guided, false, true,
+              "search unmatched lines in the other image where these surfaces predict them"},
+        Field{"guided_min_similarity", &O::guided_min_similarity, 0.0, 1.0,
+              "guided: minimum similarity"},
+        Field{"propagate_min_similarity", &O::propagate_min_similarity, 0.0, 1.0,
+              "propagate_heights: minimum similarity"}};
+  }
+};
+
+/// The options of the extensions of the matching in object space; see chio_extensions().
+struct ChioExtensionOptions {
+  bool allow_noise = true;
+  bool by_look = true;
+  double edge_sigma_px = 0.25;  ///< sigma of a single edge pixel across its edge
+  double min_similarity = 0.3;
+  /// Largest ratio of the similarities of the next candidate and the best one.
+  double max_similarity_ratio = 0.8;
+
+  static constexpr ChioExtensionOptions none() { return {.allow_noise = false, .by_look = false}; }
+
+  static constexpr auto fields() {
+    using O = ChioExtensionOptions;
+    return std::tuple{
+        Field{"allow_noise", &O::allow_noise, false, true,
+              "widen limits by noise and compare heights where lines meet; off: as published"},
+        Field{"by_look", &O::by_look, false, true,
+              "rank candidates by appearance; off: by their reliable pieces, as published"},
+        Field{"edge_sigma_px", &O::edge_sigma_px, 1e-3, 10.0,
+              "allow_noise: noise of an edge pixel across its edge"},
+        Field{"min_similarity", &O::min_similarity, 0.0, 1.0,
+              "by_look: minimum similarity of a match"},
+        Field{"max_similarity_ratio", &O::max_similarity_ratio, 0.0, 1.0,
+              "by_look: maximum ratio of the similarities of the second-best and best candidates"}};
+  }
+};
+
+}  // namespace ridgeline::reconstruct

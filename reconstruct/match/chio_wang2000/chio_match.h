@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/correspondence.h"
+#include "reconstruct/match/chio_wang2000/acquisition.h"
+#include "reconstruct/match/chio_wang2000/core.h"
+#include "reconstruct/match/chio_wang2000/extensions.h"
+#include "reconstruct/match/chio_wang2000/linked_line.h"
+#include "reconstruct/match/chio_wang2000/options.h"
+#include "reconstruct/scene/scene.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// A line in object space and how it was acquired.
+struct ChioLine {
+  Correspondence match;        ///< the initial link; its score is the similarity of the look
+  std::vector<int> fragments;  ///< further right segments linked to it
+  Acquired acquired;
+  ChainSummary chain;              ///< chain of the initial link
+  std::optional<FittedLine> line;  ///< line through the reliable points of all links, local frame
+};
+
+struct ChioResult {
+  std::vector<ChioLine> lines;        ///< ascending by left segment, one for each at most
+  std::vector<ChioOutcome> outcomes;  ///< per left segment
+};
+
+/// Iterative matching and linking of line segments in object space (Chio and Wang 2000): Core finds
+/// the candidates that pass its screening, the four processes choose among them from the strongest
+/// structure outwards, further fragments of the right edge are linked and one 3D line is fitted to
+/// all reliable points. Segments along the epipolar lines are left alone.
+///
+/// @param candidate_options  options of the search for candidates; its min_epipolar_angle_deg is
+/// replaced by that of `options`
+/// @param given              matches of another matcher in place of the first two processes
+/// The result is the same for any number of threads. Throws std::invalid_argument as
+/// match_pairwise() does.
+ChioResult chio_match(const StereoPair& pair,
+                      const ChioOptions& options = {},
+                      const CandidateOptions& candidate_options = {},
+                      const ChioExtensions& beyond = {},
+                      std::span<const Correspondence> given = {});
+
+/// The matches of the lines.
+std::vector<Correspondence> matches_of(const ChioResult& result);
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/segment.h"
+#include "reconstruct/match/chio_wang2000/options.h"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// A linear structure (Chio and Wang 2000): a junction with its neighbouring segments.
+struct Structure {
+  Eigen::Vector2d junction_px;
+  std::vector<int> members;   ///< segments, ascending; two at least
+  double length_px = 0.0;     ///< total length of the members
+  double precision_px = 0.0;  ///< mean distance of the members from the junction
+};
+
+/// The structures of an image, strongest first: most members, then greatest length, then best
+/// precision (the paper calls its weighting simple and does not give it; this one is ours). Two
+/// segments meet where their lines do, at min_junction_angle_deg or more, within
+/// junction_radius_px of an end of one and of the other segment (L and T); meetings within that
+/// radius of each other are one junction.
+std::vector<Structure> linear_structures(std::span<const Segment2> segments,
+                                         const ChioOptions& options);
+
+/// The indices of the structures of each segment, ascending.
+std::vector<std::vector<int>> structures_of_segments(std::span<const Structure> structures,
+                                                     std::size_t n_segments);
+
+}  // namespace ridgeline::reconstruct

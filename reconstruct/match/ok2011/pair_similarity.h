@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/match/candidates.h"
+#include "reconstruct/match/ok2011/base_pairs.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// The constraints in the order of constraints.h.
+inline constexpr int kNumConstraints = 8;
+using Constraints = std::array<std::optional<double>, kNumConstraints>;
+
+/// S = sum w_k s_k / sum w_k over the constraints that are present; 0 if none is. The weights are
+/// those of a logistic regression over the candidate pairs of the simulated training scenes (seeds
+/// 1 to 8), negative ones raised to 0.2.
+double weighted_similarity(const Constraints& constraints);
+
+/// Probability in [0, 1] that both members of a pair match of similarity S are right: its vote.
+double vote_of(double similarity);
+
+/// A pair of the left image with a candidate for each of its members.
+struct PairMatch {
+  BasePair pair;
+  int first_candidate = 0;  ///< index into the candidates of pair.first
+  int second_candidate = 0;
+  double similarity = 0.0;  ///< S, in [0, 1]
+  Constraints constraints;
+};
+
+/// A stereo pair as the pair-wise constraints see it.
+struct PairScene {
+  const SearchedPair& views;
+  ImagePair images;
+  const Candidates& candidates;
+  const MatchOptions& options;
+  /// Multiplies the spreads of the geometric constraints and the largest turn.
+  double spread = 1.0;
+};
+
+/// How much more the shape of a pair changes between the images than at a base to height ratio of
+/// 0.26, for which the geometric constraints are calibrated. It is never less than 1, as noise
+/// remains.
+double relief_spread(const LocalTransfer& transfer);
+
+/// The candidate pairs of a base pair, best first, at most five. They are two different right
+/// segments that form a pair in the right image and pass the gates on the enclosed angle and the
+/// epipolar distance of the intersection points.
+std::vector<PairMatch> pair_matches(const PairScene& scene, const BasePair& pair);
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/match/ok2011/similarity_voting.h"
+
+#include <span>
+#include <vector>
+
+// Who votes for whom, and who competes with whom: what similarity_votes() iterates over.
+
+namespace ridgeline::reconstruct {
+
+/// A candidate by its place in the flat list of all candidates.
+using Flat = int;
+
+/// A pair match seen from one of its members.
+struct Link {
+  int partner;     ///< the left segment of the other member
+  Flat candidate;  ///< the candidate of the other member
+  double vote;
+};
+
+/// A segment nearby whose height should agree where the two come closest.
+struct NearSegment {
+  int segment;
+  double distance_px;
+  double own_t, t;  ///< parameters of the closest points: on the segment itself, on the neighbour
+};
+
+/// The candidates of all left segments and what connects them.
+struct VoteGraph {
+  /// By left segment: its first flat candidate; the last entry is the number of candidates.
+  std::vector<int> first;
+  std::vector<const Candidate*> candidates;
+  std::vector<int> left;                             ///< by candidate: its left segment
+  std::vector<std::vector<Flat>> rivals;             ///< by candidate
+  std::vector<std::vector<Link>> links;              ///< by candidate, ordered by partner
+  std::vector<std::vector<NearSegment>> neighbours;  ///< by left segment
+  double gsd_m = 0.0;
+  double same_height_m = 0.0;  ///< lines that meet in the image are this close in height
+};
+
+/// Rivals of a candidate are other mates of its left segment, unless both are fragments of one
+/// edge, and the same mate for other left segments, unless these may share it.
+/// @param transfer  see similarity_votes()
+VoteGraph vote_graph(const MatchChoices& choices,
+                     std::span<const PairMatch> pairs,
+                     const LocalTransfer& transfer);
+
+}  // namespace ridgeline::reconstruct
