@@ -132,7 +132,7 @@ struct GlobalOptions {
 void add_global_options(CLI::App& app, GlobalOptions& options) {
   app.fallthrough();
   app.require_subcommand(1);
-  app.set_version_flag("--version", version_text);
+  app.set_version_flag("--version", version_text)->group("");  // the help fits one screen without
   app.add_option("--jobs", options.jobs, "number of threads; 0: all; results do not depend on it")
       ->check(CLI::Range(0, 1024))
       ->option_text("N=0");
