@@ -5,7 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <map>
-#include <numeric>
+#include <optional>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -57,50 +58,63 @@ double shared_part(const JudgingPlane& plane, const JudgingPlane& other) {
   return n == 0 ? 0.0 : static_cast<double>(n_shared) / static_cast<double>(n);
 }
 
-class PlaneNumbers {
- public:
-  explicit PlaneNumbers(const std::vector<SampledFit>& fits) {
-    for (const SampledFit& fit : fits) {
-      const auto [entry, is_new] = numbers_.try_emplace({fit.run, fit.plane->id}, parents_.size());
-      if (is_new) parents_.push_back(entry->second);
-    }
-  }
-  [[nodiscard]] std::size_t of(const SampledFit& fit) {
-    std::size_t i = numbers_.at({fit.run, fit.plane->id});
-    while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
-    return i;
-  }
-  void unite(const SampledFit& a, const SampledFit& b) { parents_[of(a)] = of(b); }
-
- private:
-  std::map<std::pair<std::size_t, std::uint64_t>, std::size_t> numbers_;  ///< by run and id
-  std::vector<std::size_t> parents_;
+/// The earlier fit that has the largest part of the points of another one.
+struct Nearest {
+  std::optional<std::size_t> fit;
+  double part = 0.0;
 };
 
-/// The earlier plane that most points of fit `k` are of, if that is a good part of them.
-const SampledFit* nearest_earlier(
-    std::size_t k,
-    const std::vector<SampledFit>& fits,
-    const std::unordered_map<std::uint32_t, std::vector<std::size_t>>& earlier_at) {
-  constexpr double kShared = 0.3;  // as BatchJudge
-  std::vector<std::size_t> candidates;
-  for (const std::uint32_t point : fits[k].plane->sample) {
-    const auto found = earlier_at.find(point);
-    if (found == earlier_at.end()) continue;
-    candidates.insert(candidates.end(), found->second.begin(), found->second.end());
+/// Fits in the order of BatchJudge, each with the number of its plane.
+class Numbering {
+ public:
+  explicit Numbering(std::span<const SampledFit> fits) : fits_(fits) {}
+
+  /// Numbers the next fit. Within its run, its id says of which earlier fits it is; among these and
+  /// those of other runs, it is of the one with most of its points.
+  void add_next() {
+    const std::size_t k = numbers_.size();
+    const SampledFit& fit = fits_[k];
+    const auto [first, is_new] = first_of_.try_emplace({fit.run, fit.plane->id}, k);
+    const auto [own, other] = nearest_of(fit);
+    if (other.fit && other.part >= kShared && (is_new || other.part > own.part)) {
+      numbers_.push_back(numbers_[*other.fit]);
+    } else if (is_new) {
+      numbers_.push_back(++n_planes_);
+    } else {
+      numbers_.push_back(numbers_[own.fit.value_or(first->second)]);
+    }
+    for (const std::uint32_t point : fit.plane->sample) earlier_at_[point].push_back(k);
   }
-  std::ranges::sort(candidates);
-  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-  const SampledFit* nearest = nullptr;
-  double best = kShared;
-  for (const std::size_t i : candidates) {
-    const double share = shared_part(*fits[k].plane, *fits[i].plane);
-    if (share < best || (nearest != nullptr && share == best)) continue;
-    nearest = &fits[i];
-    best = share;
+
+  [[nodiscard]] const std::vector<std::uint64_t>& numbers() const { return numbers_; }
+
+ private:
+  static constexpr double kShared = 0.3;  // as BatchJudge
+
+  /// The nearest earlier fit with the id of this one in its run, and the nearest of other runs.
+  [[nodiscard]] std::pair<Nearest, Nearest> nearest_of(const SampledFit& fit) const {
+    std::set<std::size_t> candidates;
+    for (const std::uint32_t point : fit.plane->sample) {
+      const auto found = earlier_at_.find(point);
+      if (found != earlier_at_.end()) candidates.insert(found->second.begin(), found->second.end());
+    }
+    Nearest own, other;
+    for (const std::size_t i : candidates) {
+      const bool is_own = fits_[i].run == fit.run;
+      if (is_own && fits_[i].plane->id != fit.plane->id) continue;
+      Nearest& nearest = is_own ? own : other;
+      const double part = shared_part(*fit.plane, *fits_[i].plane);
+      if (part > nearest.part) nearest = {i, part};
+    }
+    return {own, other};
   }
-  return nearest;
-}
+
+  std::span<const SampledFit> fits_;
+  std::vector<std::uint64_t> numbers_;
+  std::uint64_t n_planes_ = 0;
+  std::map<std::pair<std::size_t, std::uint64_t>, std::size_t> first_of_;   ///< by run and id
+  std::unordered_map<std::uint32_t, std::vector<std::size_t>> earlier_at_;  ///< fits by point
+};
 
 }  // namespace
 
@@ -117,19 +131,9 @@ std::vector<std::uint32_t> point_sample(std::span<const std::uint64_t> point_key
 
 void join_planes(std::span<const JudgedRun> runs) {
   const std::vector<SampledFit> fits = fits_by_place(runs);
-  PlaneNumbers numbers(fits);
-  std::unordered_map<std::uint32_t, std::vector<std::size_t>> earlier_at;
-  for (std::size_t k = 0; k < fits.size(); ++k) {
-    const SampledFit* const nearest = nearest_earlier(k, fits, earlier_at);
-    if (nearest != nullptr && nearest->run != fits[k].run) numbers.unite(fits[k], *nearest);
-    for (const std::uint32_t point : fits[k].plane->sample) earlier_at[point].push_back(k);
-  }
-  std::map<std::size_t, std::uint64_t> ids;
-  std::vector<std::uint64_t> id_of;
-  for (const SampledFit& fit : fits) {
-    id_of.push_back(ids.try_emplace(numbers.of(fit), ids.size() + 1).first->second);
-  }
-  for (std::size_t k = 0; k < fits.size(); ++k) fits[k].plane->id = id_of[k];
+  Numbering numbering(fits);
+  for (std::size_t k = 0; k < fits.size(); ++k) numbering.add_next();
+  for (std::size_t k = 0; k < fits.size(); ++k) fits[k].plane->id = numbering.numbers()[k];
 }
 
 }  // namespace ridgeline::evaluate

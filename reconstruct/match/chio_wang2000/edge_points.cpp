@@ -11,11 +11,11 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kStep_px = 0.5;    // step of the profile across the edge
-constexpr int kHalfDifference = 2;  // the gradient is that of samples 2 px apart
-constexpr int kReach = 3;           // maxima up to 1.5 px from the segment count
-constexpr int kHalfBase = 2;        // the parabola through a maximum spans 2 px
-constexpr int kHalfGradients = kReach + kHalfBase;
+constexpr double kStep_px = 0.5;     // step of the profile across the edge
+constexpr int kHalfDifference = 2;   // the gradient is that of samples 2 px apart
+constexpr int kSearchReach = 3;  // maxima up to 1.5 px from the segment count
+constexpr int kHalfBase = 2;         // the parabola through a maximum spans 2 px
+constexpr int kHalfGradients = kSearchReach + kHalfBase;
 constexpr int kGradients = 2 * kHalfGradients + 1;
 constexpr int kHalfProfile = kHalfGradients + kHalfDifference;
 constexpr int kProfileBins = 2 * kHalfProfile + 1;
@@ -44,7 +44,7 @@ std::optional<double> edge_offset_px(const ImageSampler& image,
   int best = kHalfGradients;
   for (int k = 0; k < kGradients; ++k) {
     strength[k] = difference(profile[k + 2 * kHalfDifference], profile[k]);
-    const bool in_reach = std::abs(k - kHalfGradients) <= kReach;
+    const bool in_reach = std::abs(k - kHalfGradients) <= kSearchReach;
     if (in_reach && strength[k] > strength[best]) best = k;
   }
   const double before = strength[best - kHalfBase];
