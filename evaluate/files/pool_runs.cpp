@@ -319,7 +319,7 @@ void pool_by(const Evaluation& evaluation,
   for (std::size_t b = 0; b < buildings.size(); ++b) without_faces[b].id = buildings[b].id;
   std::vector<evaluate::BuildingRow> rows = evaluate::building_table(
       without_faces, std::vector<std::vector<evaluate::FaceEvaluation>>(buildings.size()),
-      std::vector<evaluate::PointDistances>(buildings.size()), evaluation.lines, {});
+      std::vector<evaluate::PointDistances>(buildings.size()), evaluation.lines);
   for (std::size_t b = 0; b < buildings.size(); ++b) {
     rows[b].verdict = verdict_named(buildings[b].verdict);
   }

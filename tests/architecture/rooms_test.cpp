@@ -39,7 +39,7 @@ std::string path_of(const std::string& name, const std::string& folder) {
 
 /// The table of docs/architecture.md: by folder, what its files may include besides the folder.
 std::map<std::string, Paths> allowed() {
-  static const std::regex row(R"(\| `((?:reconstruct|evaluate|io|apps)/\w+)` \|.*\|([^|]*)\|)");
+  static const std::regex row(R"(\| `((?:reconstruct|evaluate|io|apps)/[\w*]+)` \|.*\|([^|]*)\|)");
   std::ifstream document(root() / "docs/architecture.md");
   std::map<std::string, Paths> folders;
   for (std::string line; std::getline(document, line);) {
