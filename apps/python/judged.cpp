@@ -132,7 +132,7 @@ void write_to(const std::string& folder, const Judged& judged, results::MapSchem
   for (const results::InputFile& input : judged.inputs) record.add_input(input);
   results::write_judged(judged.files, schema, out, "");
   results::write_tables(judged.files.evaluations, judged.files.truth, out);
-  results::write_models(judged.files, {}, out);
+  results::write_models(results::model_tables(judged.files, {}), out);
   record.end_stage("write");
   out.write_record(record.to_json());
 }

@@ -2,8 +2,8 @@
 // What the keys of a block and of its patches hold: poses and cameras from whatever file, heights.
 #include "apps/block/plan_block.h"
 #include "apps/pipeline/made_from.h"
+#include "apps/simulate/write_orientation.h"
 #include "io/images/image_writer.h"
-#include "io/orientation/write_orientation.h"
 #include "tests/support/temp_folder.h"
 
 #include <fmt/format.h>
@@ -51,7 +51,7 @@ class PlanKey : public testing::Test {
 class PlanKeyOfFormat : public PlanKey, public testing::WithParamInterface<const char*> {};
 
 TEST_P(PlanKeyOfFormat, ChangesWithEachFileOfTheOrientation) {
-  const io::OrientationFiles files = io::orientation_files(GetParam());
+  const simulate::OrientationFiles files = simulate::orientation_files(GetParam());
   const auto read = [&] {
     return block(fmt::format("height_range: [0, 10]\norientation: {}\n{}{}", files.orientation,
                              files.cameras.empty() ? "" : "cameras: " + files.cameras + "\n",
@@ -59,7 +59,8 @@ TEST_P(PlanKeyOfFormat, ChangesWithEachFileOfTheOrientation) {
   };
   const auto write = [&](const std::string& folder, double moved_m, double focal_length_px) {
     fs::create_directories(fs::path(folder_.file(folder)) / "colmap");
-    io::write_orientation(folder_.file(folder), GetParam(), orientation(moved_m, focal_length_px));
+    simulate::write_orientation(folder_.file(folder), GetParam(),
+                                orientation(moved_m, focal_length_px));
   };
   write(".", 0.0, 40.0);
   write("mended", 1000.0, 41.0);
@@ -86,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& format) { return std::string(format.param); });
 
 TEST_F(PlanKey, ChangesWithAFileBesideTheSurfaceModel) {
-  io::write_orientation(folder_.file("."), "opk", orientation(0.0, 40.0));
+  simulate::write_orientation(folder_.file("."), "opk", orientation(0.0, 40.0));
   (void)folder_.write("model.asc",
                       "ncols 2\nnrows 2\nxllcorner 500000\nyllcorner 5399980\ncellsize 20\n"
                       "1 2\n3 4\n");
@@ -104,10 +105,10 @@ TEST_F(PlanKey, ChangesWithAFileBesideTheSurfaceModel) {
 }
 
 TEST_F(PlanKey, OfThePictureIsWithoutThePose) {
-  io::write_orientation(folder_.file("."), "opk", orientation(0.0, 40.0));
+  simulate::write_orientation(folder_.file("."), "opk", orientation(0.0, 40.0));
   const std::string keys = "height_range: [0, 10]\norientation: opk.csv\ncameras: cameras.yaml\n";
   const io::PatchImage before = block(keys).patch.images.front();
-  io::write_orientation(folder_.file("."), "opk", orientation(0.5, 40.0));
+  simulate::write_orientation(folder_.file("."), "opk", orientation(0.5, 40.0));
   const io::PatchImage after = block(keys).patch.images.front();
   EXPECT_EQ(key_of_picture(before, "hash"), key_of_picture(after, "hash"));
   EXPECT_NE(key_of_view(before, "hash"), key_of_view(after, "hash"));

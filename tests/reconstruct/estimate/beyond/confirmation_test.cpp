@@ -11,7 +11,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr int kSize_px = 400;
+constexpr int kWindow_px = 400;
 const Segment3 kLine{{-3.0, 1.0, 0.0}, {3.0, 2.0, 0.0}};
 
 /// Three views of the origin: the stereo scene and its left view again.
@@ -23,8 +23,8 @@ Scene three_views() {
     const Eigen::Vector2d middle = project(whole, Eigen::Vector3d(0.0, 0.0, 0.0));
     View& view = scene.views.emplace_back();
     view.image_from_local =
-        window_from_world(whole, middle - Eigen::Vector2d::Constant(0.5 * kSize_px));
-    view.image = cv::Mat(kSize_px, kSize_px, CV_32F);
+        window_from_world(whole, middle - Eigen::Vector2d::Constant(0.5 * kWindow_px));
+    view.image = cv::Mat(kWindow_px, kWindow_px, CV_32F);
   }
   scene.height_range_in_local_m = {-10.0, 30.0};
   return scene;
@@ -34,7 +34,7 @@ Scene three_views() {
 Surface level_at(const Scene& scene, double z_m) {
   const StereoPair pair = stereo_pair(scene, {0, 1});
   Surface surface;
-  surface.rectification = *rectification(pair.cameras(), {kSize_px, kSize_px});
+  surface.rectification = *rectification(pair.cameras(), {kWindow_px, kWindow_px});
   const Rectification& r = surface.rectification;
   surface.disparity_px = cv::Mat(r.size, CV_32F);
   for (int row = 0; row < r.size.height; ++row) {
@@ -63,7 +63,8 @@ TEST(Confirmation, IsMissingWhereAThirdViewShouldShowTheLine) {
 
 TEST(Confirmation, IsNotAskedOfAViewBesideTheLine) {
   Scene scene = three_views();
-  scene.views[2].image = cv::Mat(kSize_px / 2, kSize_px / 2, CV_32F);  // the line is in the middle
+  scene.views[2].image =
+      cv::Mat(kWindow_px / 2, kWindow_px / 2, CV_32F);  // the line is in the middle
   EXPECT_TRUE(is_pair_confirmed(scene, {}));
 }
 

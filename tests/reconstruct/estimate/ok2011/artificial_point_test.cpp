@@ -33,10 +33,10 @@ std::array<ConditionedView, 3> three_views(const ConditionedScene& scene) {
 }
 
 /// The point's image in each view, with independent errors of kSigmaPx, or none without `random`.
-std::vector<PointObservation> observe_point(std::span<const ConditionedView> views,
-                                            const Eigen::Vector3d& conditioned,
-                                            test::Random* random) {
-  std::vector<PointObservation> observations;
+std::vector<ViewedPoint> observe_point(std::span<const ConditionedView> views,
+                                       const Eigen::Vector3d& conditioned,
+                                       test::Random* random) {
+  std::vector<ViewedPoint> observations;
   for (const ConditionedView& view : views) {
     const double sigma = kSigmaPx / view.image.scale_px;
     Eigen::Vector2d x = project(view.image_from_object, conditioned);

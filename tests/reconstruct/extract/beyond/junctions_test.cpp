@@ -15,7 +15,7 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr double kNoisePx = 0.05;  // noise of edge pixels in an aerial image
+constexpr double kEdgeNoisePx = 0.05;  // noise of edge pixels in an aerial image
 constexpr int kLength = 120;
 constexpr int kRidgeAt = 60;
 
@@ -32,7 +32,7 @@ template <typename Across>
 EdgeTrace trace_across(Across across) {
   test::Random random(3);
   std::vector<Eigen::Vector2d> points;
-  for (int i = 0; i < kLength; ++i) points.emplace_back(i, across(i) + random.normal(kNoisePx));
+  for (int i = 0; i < kLength; ++i) points.emplace_back(i, across(i) + random.normal(kEdgeNoisePx));
   return trace_of(points);
 }
 

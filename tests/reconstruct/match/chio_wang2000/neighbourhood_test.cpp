@@ -10,7 +10,6 @@ namespace {
 
 using ::testing::Each;
 using ::testing::ElementsAre;
-using ::testing::Field;
 using ::testing::IsEmpty;
 
 constexpr double kNeighbourGsd_m = 0.1;
@@ -26,7 +25,7 @@ std::vector<CoreCandidates> with_candidates() {
   return std::vector<CoreCandidates>(kSegments.size(), one);
 }
 
-auto neighbours(auto... left) { return ElementsAre(Field(&Neighbour::left, left)...); }
+auto neighbours(auto... left) { return ElementsAre(testing::Field(&Neighbour::left, left)...); }
 
 TEST(SegmentsInRange, AreTheNearestFirst) {
   const Neighbourhood found = segments_in_range(kSegments, with_candidates(), 2.1);  // 21 px

@@ -12,7 +12,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-std::vector<EdgeSegment> extract(const cv::Mat& image, const EdgeExtensionOptions& beyond = {}) {
+std::vector<EdgeSegment> extract_close(const cv::Mat& image,
+                                       const EdgeExtensionOptions& beyond = {}) {
   return extract_segments(image, {}, {}, edge_refinement({{}, beyond}));
 }
 
@@ -45,7 +46,7 @@ TEST(SeparateEdges, BothBordersOfAMarkingAreWhereTheyAreAndEachIsThereOnce) {
   constexpr double kTolerance_px =
       0.1;  // the maxima of the gradient lie 0.3 px outside of both borders
   const BlurredStrip strip = double_edge(1.5);
-  const auto segments = extract(strip.image());
+  const auto segments = extract_close(strip.image());
   EXPECT_THAT(offsets_px(strip, segments),
               testing::ElementsAre(testing::DoubleNear(-0.75, kTolerance_px),
                                    testing::DoubleNear(0.75, kTolerance_px)));
@@ -55,7 +56,7 @@ TEST(SeparateEdges, WithoutItTheBordersAreTooFarApart) {
   const BlurredStrip strip = double_edge(1.5);
   EdgeExtensionOptions options;
   options.separate_edges = false;
-  const std::vector<double> offsets = offsets_px(strip, extract(strip.image(), options));
+  const std::vector<double> offsets = offsets_px(strip, extract_close(strip.image(), options));
   ASSERT_EQ(offsets.size(), 2U);
   EXPECT_GT(offsets[1] - offsets[0], 1.9);
 }
@@ -68,8 +69,8 @@ TEST(SeparateEdges, AStaircaseThatIsOneMaximumOfTheGradientBecomesTwoEdges) {
   strip.noise = 0.005;
   EdgeExtensionOptions as_one;
   as_one.separate_edges = false;
-  EXPECT_EQ(extract(strip.image(), as_one).size(), 1U);
-  EXPECT_THAT(offsets_px(strip, extract(strip.image())),
+  EXPECT_EQ(extract_close(strip.image(), as_one).size(), 1U);
+  EXPECT_THAT(offsets_px(strip, extract_close(strip.image())),
               testing::ElementsAre(testing::DoubleNear(-0.7, kTolerance_px),
                                    testing::DoubleNear(0.7, kTolerance_px)));
 }
