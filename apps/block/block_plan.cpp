@@ -131,7 +131,7 @@ void require_unchanged(const FileState& file) {
   if (is_unchanged(file)) return;
   throw io::IoError(file.path,
                     "has changed since the block was planned; restore it, or remove plan.json to "
-                    "plan again: finished patches that do not depend on it are kept");
+                    "plan again (patches that do not depend on it keep their results)");
 }
 
 }  // namespace ridgeline::apps

@@ -101,8 +101,8 @@ void FramesBlock::take_plan() {
   for (const PlannedFrame& frame : plan_->frames) io::require_regular_file(frame.file.path);
   throw io::IoError(plan_path(),
                     "was made from other poses, cameras or files, or by another version of the "
-                    "program; remove it to plan again: finished patches that stay as they are "
-                    "are kept");
+                    "program; remove it to plan again (patches that do not change keep their "
+                    "results)");
 }
 
 }  // namespace ridgeline::apps

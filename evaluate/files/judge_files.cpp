@@ -25,7 +25,7 @@ namespace {
 void check_models(const std::vector<io::LineSet>& sets, const JudgeFilesOptions& options) {
   for (const io::LineSet& set : sets) {
     if (!options.needs_models || set.model) continue;
-    throw io::IoError(set.path, "is no model of buildings, which `write_attributes` needs");
+    throw io::IoError(set.path, "is not a building model, which `write_attributes` needs");
   }
   for (const std::string& name : options.by) {
     std::vector<std::string> known;

@@ -94,7 +94,7 @@ void check_output_file(const std::string& file,
         file, "is an input or another output and would be overwritten; choose another name");
   }
   if (!overwrite && would_be_lost(file)) {
-    throw io::IoError(file, "exists already; `overwrite` replaces it");
+    throw io::IoError(file, "already exists; `overwrite` replaces it");
   }
 }
 

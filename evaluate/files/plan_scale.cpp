@@ -93,7 +93,7 @@ void set_plan_scale(const std::vector<io::LineSet>& sets,
                     io::CloudFiles& cloud,
                     std::vector<std::string>& warnings) {
   check(!scale_to_ground || !patch,
-        "`scale_to_ground`: there are cameras, which cannot be scaled; must be without `patch`");
+        "`scale_to_ground`: cameras cannot be scaled; must be without `patch`");
   const io::Crs crs = common_crs(cloud, sets, patch);
   const Places places(sets);
   if (!crs.known() || places.empty()) return;

@@ -70,19 +70,23 @@ class Numbering {
   explicit Numbering(std::span<const SampledFit> fits) : fits_(fits) {}
 
   /// Numbers the next fit. Within its run, its id says of which earlier fits it is; among these and
-  /// those of other runs, it is of the one with most of its points.
+  /// those of other runs, it is of the one with most of its points. A number that another id of its
+  /// run has is not taken: that run has seen all points and told the two apart.
   void add_next() {
     const std::size_t k = numbers_.size();
     const SampledFit& fit = fits_[k];
     const auto [first, is_new] = first_of_.try_emplace({fit.run, fit.plane->id}, k);
     const auto [own, other] = nearest_of(fit);
-    if (other.fit && other.part >= kShared && (is_new || other.part > own.part)) {
+    const bool joins = other.fit && other.part >= kShared && (is_new || other.part > own.part) &&
+                       is_free(numbers_[*other.fit], fit);
+    if (joins) {
       numbers_.push_back(numbers_[*other.fit]);
     } else if (is_new) {
       numbers_.push_back(++n_planes_);
     } else {
       numbers_.push_back(numbers_[own.fit.value_or(first->second)]);
     }
+    id_of_.try_emplace({fit.run, numbers_.back()}, fit.plane->id);
     for (const std::uint32_t point : fit.plane->sample) earlier_at_[point].push_back(k);
   }
 
@@ -109,10 +113,16 @@ class Numbering {
     return {own, other};
   }
 
+  [[nodiscard]] bool is_free(std::uint64_t number, const SampledFit& fit) const {
+    const auto found = id_of_.find({fit.run, number});
+    return found == id_of_.end() || found->second == fit.plane->id;
+  }
+
   std::span<const SampledFit> fits_;
   std::vector<std::uint64_t> numbers_;
   std::uint64_t n_planes_ = 0;
   std::map<std::pair<std::size_t, std::uint64_t>, std::size_t> first_of_;   ///< by run and id
+  std::map<std::pair<std::size_t, std::uint64_t>, std::uint64_t> id_of_;    ///< by run and number
   std::unordered_map<std::uint32_t, std::vector<std::size_t>> earlier_at_;  ///< fits by point
 };
 

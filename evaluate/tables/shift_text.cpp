@@ -53,7 +53,7 @@ std::string shift_message(const Evaluation& evaluation, bool apply_shift) {
   if (!shift || !shift->is_significant()) {
     return apply_shift
                ? whose +
-                     "no shift of the lines is significant, so that none was moved (`apply_shift`)."
+                     "no shift of the lines is significant, so no line was moved (`apply_shift`)."
                : "";
   }
   const std::string what =
@@ -95,8 +95,7 @@ std::string moved_note(const Evaluation& evaluation) {
   const Eigen::Vector3d by_m = -evaluation.shift->shift_m;
   return fmt::format(
       "{} of patch {}: before they were judged, the lines were moved by x {}, y {}, z {} m, "
-      "against the "
-      "shift that was estimated (`apply_shift`).",
+      "against the shift that was estimated (`apply_shift`).",
       evaluation.method, evaluation.patch, metres(by_m.x()), metres(by_m.y()), metres(by_m.z()));
 }
 

@@ -174,13 +174,13 @@ void resolve_count(Bytes file,
     throw IoError(
         path, fmt::format(
                   "field point_count at byte 107 is 0 but the header is followed by {} more bytes; "
-                  "the writer did not finish this file (salvage reads the existing records)",
+                  "the writer did not finish this file (`salvage` reads the existing records)",
                   file.size() - header.point_offset));
   }
   if (header.is_compressed() || (!unfinished && header.n_points_claimed <= room)) return;
   if (!options.salvage) {
     throw IoError(path, fmt::format("field point_count at byte {} is {}; the file has room for {} "
-                                    "records of {} bytes (salvage reads those)",
+                                    "records of {} bytes (`salvage` reads those)",
                                     header.version_minor >= 4 ? 247 : 107, header.n_points_claimed,
                                     room, header.record_length));
   }

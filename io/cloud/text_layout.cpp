@@ -176,7 +176,7 @@ class LayoutFinder {
       fail(*first_,
            fmt::format(
                "\"{}\": the columns of x, y and z are ambiguous; name them in a preceding line, "
-               "such as id,x,y,z, and write numbers without other marks than that of the decimals",
+               "such as id,x,y,z, and write numbers without marks other than the decimal mark",
                trimmed(first_->text).substr(0, kShown)));
     }
     if (counts_points()) {

@@ -166,7 +166,7 @@ std::string require_true_scale(const std::string& path,
   throw IoError(
       path,
       fmt::format("the map scale of \"{}\" is {}, while heights are true, so all figures would be "
-                  "wrong; must be within {:g} % of 1: project the data, for instance to {}{}",
+                  "wrong; it must be within {:g} % of 1: project the data, for instance to {}{}",
                   name, scale_text(*scale), 100.0 * kMaxScaleError, utm_zone_text(crs, *scale),
                   remedy));
 }

@@ -32,8 +32,7 @@ constexpr double kMaxScaleError = 0.01;
 /// that is nowhere on Earth. Throws std::invalid_argument if PROJ cannot read the definition.
 std::optional<GridScale> grid_scale(const Crs& crs, const Eigen::Vector2d& position);
 
-/// The scale for messages: "1.515 times as long as on the ground in x and 1.519 times in y at 9.177
-/// E, 48.780 N".
+/// The scale for messages: "1.515 in x and 1.519 in y at 9.177 E, 48.780 N".
 std::string scale_text(const GridScale& scale);
 
 /// The UTM zone of the place, "WGS 84 / UTM zone 32N (EPSG:32632)", in the datum of `crs` if EPSG

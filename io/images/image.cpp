@@ -204,10 +204,10 @@ void check_image_size(const std::string& path,
   }
   const auto refuse = [&](const std::string& rule) {
     throw IoError(
-        path, fmt::format(
-                  "{} x {} pixels are {:.4g} million; {}. If the image is meant, allow its size by "
-                  "`max_image_mpx` {:.0f}",
-                  read.width, read.height, mpx, rule, std::ceil(mpx)));
+        path,
+        fmt::format("{} x {} pixels are {:.4g} million; {}. If that is intended, allow it with "
+                    "`max_image_mpx` {:.0f}",
+                    read.width, read.height, mpx, rule, std::ceil(mpx)));
   };
   if (max_mpx > 0.0) {
     if (mpx > max_mpx) refuse(fmt::format("the limit is {:g} million", max_mpx));

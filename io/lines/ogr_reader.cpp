@@ -154,8 +154,9 @@ class OgrReader {
         GDALDataset::Open(path.c_str(), flags, drivers, is_geopackage ? stated_layers : nullptr));
     n_most_features_ = std::filesystem::file_size(path);  // each takes a byte at least
     if (!dataset_) {
-      throw IoError(path, fmt::format("is not a {}: {}", driver.format,
-                                      quiet_.complaints("cannot be opened")));
+      throw IoError(path,
+                    fmt::format("is not a {}: {}", driver.format,
+                                quiet_.complaints("the content is damaged or has another format")));
     }
   }
 
@@ -192,7 +193,7 @@ class OgrReader {
     }
     if (layers.empty()) refuse_no_layer();
     for (const UnreadLayer& unread : unread_) {
-      set_.warnings.push_back(fmt::format("layer {} {}; ignored", unread.name, unread.why));
+      set_.warnings.push_back(fmt::format("ignored: layer {} {}", unread.name, unread.why));
     }
     const auto chosen = std::ranges::find(layers, chosen_name(layers), name_of);
     if (chosen == layers.end() || layers.size() == 1) return layers;

@@ -6,8 +6,11 @@
 #include "reconstruct/geometry/segment.h"
 #include "tests/cli/oriented_patch.h"
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <set>
+#include <sstream>
 
 namespace ridgeline::cli {
 namespace {
@@ -173,10 +176,24 @@ TEST_F(Block, FailedTaskIsToldAndTheOthersGoOn) {
   EXPECT_THAT(other.err, HasSubstr("was run with other options"));
 }
 
+/// A table of poses (name,x,y,z,...) with all images higher.
+std::string raised_by(double higher_m, const std::string& table) {
+  std::istringstream rows(table);
+  std::string raised, row;
+  std::getline(rows, raised);
+  while (std::getline(rows, row)) {
+    const std::size_t z = row.find(',', row.find(',', row.find(',') + 1) + 1) + 1;
+    const std::size_t end = row.find(',', z);
+    raised += fmt::format("\n{}{}{}", row.substr(0, z),
+                          std::stod(row.substr(z, end - z)) + higher_m, row.substr(end));
+  }
+  return raised + "\n";
+}
+
 TEST_F(Block, MendedPosesGiveTheLinesOfAFreshFolder) {
   const std::vector<std::string> direct{"--methods", "direct"};
   ASSERT_EQ(block("out", direct).exit_code, 0);
-  write_orientation("omega_deg,phi_deg,kappa_deg", 0.25);
+  write(path("patch/opk.csv"), raised_by(0.25, read(path("patch/opk.csv"))));
   EXPECT_REFUSED(block("out", {"--methods", "direct", "--merge"}),
                  HasSubstr("opk.csv: has changed since the block was planned"));
   fs::remove(path("out/plan.json"));

@@ -62,7 +62,7 @@ TEST_F(Compare, RefusesWhatCannotBeCompared) {
   EXPECT_REFUSED(run({"compare", "good/out"}),
                  AllOf(HasSubstr("good/out"), HasSubstr("give a second folder")));
   EXPECT_REFUSED(run({"compare", "none"}), HasSubstr("none: is not a results folder"));
-  EXPECT_REFUSED(run({"compare", "good/out", "scene"}), HasSubstr("scene: has no evaluation"));
+  EXPECT_REFUSED(run({"compare", "good/out", "scene"}), HasSubstr("scene: holds no evaluation"));
   EXPECT_REFUSED(run({"compare"}), HasSubstr("folders is required"));
 }
 

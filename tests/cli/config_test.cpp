@@ -84,10 +84,9 @@ TEST_F(Config, IsAnInputThatIsRecordedAndNeverWrittenOver) {
 }
 
 TEST_F(Config, NamesFileLineAndRuleOfWhatItRefuses) {
-  EXPECT_REFUSED(
-      judge_with("judge:\n  min_pointz: 12\n"),
-      HasSubstr("p.yaml: line 2: unknown key 'min_pointz', the nearest is 'min_points'"));
-  EXPECT_REFUSED(judge_with("juge: {}\n"), HasSubstr("the nearest is 'judge'"));
+  EXPECT_REFUSED(judge_with("judge:\n  min_pointz: 12\n"),
+                 HasSubstr("p.yaml: line 2: unknown key 'min_pointz', did you mean 'min_points'?"));
+  EXPECT_REFUSED(judge_with("juge: {}\n"), HasSubstr("did you mean 'judge'?"));
   EXPECT_REFUSED(judge_with("judge:\n\n  min_points: 3\n"),
                  HasSubstr("p.yaml: line 3: min_points = 3, must be a whole number in [4, 1e+06]"));
   EXPECT_REFUSED(judge_with("judge: {min_points: 12.5}\n"), HasSubstr("must be a whole number"));

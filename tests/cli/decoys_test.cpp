@@ -93,7 +93,7 @@ TEST_F(Decoys, AreGated) {
   EXPECT_EQ(gate("{metric: decoy_share, kind: match, distance_m: 2, max: 0.2}").exit_code, 3);
   EXPECT_REFUSED(gate("{metric: decoy_share, max: 0.2}"), HasSubstr("line 1: kind: none"));
   EXPECT_REFUSED(gate("{metric: rms_m, max: 0.2, bound: lower95}"),
-                 HasSubstr("bound: lower95; must be point or upper95"));
+                 HasSubstr("bound = lower95; must be point or upper95"));
 }
 
 TEST_F(Decoys, UpperEndOfTheIntervalIsGated) {
@@ -124,7 +124,7 @@ TEST_F(Decoys, LinesOfAnotherPlaceAreRefused) {
     return run(arguments);
   };
   EXPECT_REFUSED(judge({}), AllOf(HasSubstr("the lines do not fit the cloud"),
-                                  HasSubstr("--decoys 0 skips this check")));
+                                  HasSubstr("--decoys 0 judges them without this check")));
   EXPECT_EQ(judge({"--decoys", "0"}).exit_code, 0);
 }
 

@@ -87,7 +87,7 @@ TEST_F(Feet, LinesOutsideByTheFootNameTheFactor) {
   write_cloud("cloud.xyz", 1.0);
   write_eave("feet.csv", 1.0 / kFoot_m);
   EXPECT_REFUSED(judge("feet.csv", "cloud.xyz"),
-                 AllOf(HasSubstr("not in the same frame"), HasSubstr("times 0.3048")));
+                 AllOf(HasSubstr("not in the same frame"), HasSubstr("scaled by 0.3048")));
   write_cloud("feet.xyz", 1.0 / kFoot_m);
   write_eave("metres.csv", 1.0);
   EXPECT_REFUSED(judge("metres.csv", "feet.xyz"),
@@ -118,7 +118,7 @@ TEST_F(Feet, InfoStatesOneUnit) {
   const ProgramResult lines = run({"info", "feet.geojson"});
   EXPECT_EQ(lines.exit_code, 0) << lines.err;
   EXPECT_THAT(lines.out,
-              AllOf(HasSubstr("5.0 foot together"),
+              AllOf(HasSubstr("total length 5.0 foot"),
                     HasSubstr("units       foot (0.3048 m) in plan"), Not(HasSubstr("metre"))));
 }
 

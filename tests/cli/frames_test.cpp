@@ -145,7 +145,7 @@ TEST_F(Frames, FaultsOfAnAreaAreSaidAndNothingIsWritten) {
                 "EPSG:25832", more, value});
   };
   EXPECT_REFUSED(init("1000,1000,1100,1100", "--height-range", "229,280"),
-                 HasSubstr("area: 0 of 2 images show it"));
+                 HasSubstr("area: only 0 of 2 images show it"));
   EXPECT_REFUSED(init("1000,1000,1100,1100", "--lidar", "patch/lidar.las"),
                  HasSubstr("no LIDAR point lies in the area"));
   EXPECT_REFUSED(init("1100,1000,1000,1100", "--height-range", "229,280"), HasSubstr("min <= max"));

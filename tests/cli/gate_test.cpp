@@ -214,7 +214,7 @@ TEST_F(Gate, AnnotationsAppearOnGitHubOnly) {
 TEST_F(Gate, WrongGatesFileIsRefusedWithTheRule) {
   EXPECT_REFUSED(gate("{class: total, metrc: rms_m, max: 0.3}"),
                  AllOf(HasSubstr("gates.yaml: line 1"), HasSubstr("unknown key 'metrc'"),
-                       HasSubstr("the nearest is 'metric'"),
+                       HasSubstr("did you mean 'metric'?"),
                        HasSubstr("known keys: patch, method, class, metric")));
   EXPECT_REFUSED(gate("{metric: nope_m, max: 0.3}"),
                  AllOf(HasSubstr("gates.yaml: line 1"), HasSubstr("nope_m"),
@@ -257,9 +257,9 @@ TEST_F(Gate, InitWritesANewFileAndNeverOverOne) {
   EXPECT_EQ(run({"gate", "--init", "new/gates.yaml"}).exit_code, 0);
   EXPECT_EQ(read(path("new/gates.yaml")), run({"gate", "--init"}).out);
   write(path("mine.yaml"), "mine");
-  EXPECT_REFUSED(run({"gate", "--init", "mine.yaml"}), HasSubstr("mine.yaml: exists"));
+  EXPECT_REFUSED(run({"gate", "--init", "mine.yaml"}), HasSubstr("mine.yaml: already exists"));
   EXPECT_EQ(read(path("mine.yaml")), "mine");
-  EXPECT_REFUSED(run({"gate", "--init", "scene"}), HasSubstr("scene: exists"));
+  EXPECT_REFUSED(run({"gate", "--init", "scene"}), HasSubstr("scene: already exists"));
   EXPECT_REFUSED(run({"gate", "--init", "new.yaml", "--gates", "mine.yaml"}), HasSubstr("--init"));
 }
 
@@ -273,7 +273,7 @@ TEST_F(Gate, FolderWithoutResultsIsRefused) {
   EXPECT_REFUSED(run({"gate", "none", "--gates", "gates.yaml"}),
                  HasSubstr("none: is not a results folder"));
   EXPECT_REFUSED(run({"gate", "scene", "--gates", "gates.yaml"}),
-                 HasSubstr("scene: has no evaluation.*.json"));
+                 HasSubstr("scene: holds no evaluation.*.json"));
   EXPECT_REFUSED(gate(kEasy, {"--baseline", "none"}), HasSubstr("none: is not a results folder"));
 }
 

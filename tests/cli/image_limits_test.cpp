@@ -53,7 +53,7 @@ TEST_F(ImageLimits, OptionAllowsMoreAndLess) {
   EXPECT_REFUSED(run({"extract", "flat.png", "--out", "s.csv"}), HasSubstr("9 million"));
   EXPECT_EQ(run({"extract", "flat.png", "--out", "s.csv", "--max-image-mpx", "9"}).exit_code, 0);
   EXPECT_REFUSED(run({"extract", "flat.png", "--out", "s2.csv", "--max-image-mpx", "8"}),
-                 HasSubstr("at most 8 million"));
+                 HasSubstr("the limit is 8 million"));
   EXPECT_REFUSED(run({"extract", "flat.png", "--out", "s2.csv", "--max-image-mpx", "-1"}),
                  HasSubstr("--max-image-mpx"));
 }

@@ -37,20 +37,20 @@ TEST_F(Info, TellsTheCloudsPointsClassesDensityAndCrs) {
 
 TEST_F(Info, TellsTheLinesOfSeveralFiles) {
   EXPECT_TOLD(run({"info", "scene/lines.good.geojson", "scene/truth.geojson"}),
-              AllOf(HasSubstr("scene/lines.good.geojson: GeoJSON"), HasSubstr("m together"),
+              AllOf(HasSubstr("scene/lines.good.geojson: GeoJSON"), HasSubstr("total length "),
                     HasSubstr("scene/truth.geojson: GeoJSON"), HasSubstr("epipolar_angle_deg")));
 }
 
 TEST_F(Info, ReadsEveryTextFormatOfLines) {
   EXPECT_TOLD(info("a.csv", "id,x1,y1,z1,x2,y2,z2\n0,1,2,3,4,6,3\n"),
-              HasSubstr("lines       1, 5.0 m together"));
-  EXPECT_TOLD(info("a.wkt", "LINESTRING Z (1 2 3, 4 6 3)\n"), HasSubstr("1, 5.0 m"));
-  EXPECT_TOLD(info("a.obj", "v 1 2 3\nv 4 6 3\nl 1 2\n"), HasSubstr("1, 5.0 m"));
+              HasSubstr("lines       1, total length 5.0 m"));
+  EXPECT_TOLD(info("a.wkt", "LINESTRING Z (1 2 3, 4 6 3)\n"), HasSubstr("1, total length 5.0 m"));
+  EXPECT_TOLD(info("a.obj", "v 1 2 3\nv 4 6 3\nl 1 2\n"), HasSubstr("1, total length 5.0 m"));
   EXPECT_TOLD(info("a.ply",
                    "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\n"
                    "property double z\nelement edge 1\nproperty int vertex1\nproperty int vertex2\n"
                    "end_header\n1 2 3\n4 6 3\n0 1\n"),
-              HasSubstr("1, 5.0 m"));
+              HasSubstr("1, total length 5.0 m"));
 }
 
 TEST_F(Info, ReadsEveryTextFormatOfClouds) {
@@ -93,7 +93,7 @@ TEST_F(Info, TellsTheResultsAndWhatTakesThem) {
   EXPECT_TOLD(
       run({"info", "out"}),
       AllOf(HasSubstr("out: results of ridgeline evaluate"), HasSubstr("line files  lines.good"),
-            HasSubstr("are judged"), HasSubstr("ridgeline compare out; open out/report.html")));
+            HasSubstr("of them judged"), HasSubstr("ridgeline compare out; open out/report.html")));
   EXPECT_TOLD(run({"info", "out/evaluation.lines.good.json"}),
               AllOf(HasSubstr("evaluation of lines"), HasSubstr("method      lines.good")));
   EXPECT_TOLD(run({"info", "out/report.html"}), HasSubstr("open it in a browser"));

@@ -165,7 +165,7 @@ TEST_F(LineFiles, InMillimetresAreRefusedWithTheUnit) {
   write(path("mm.geojson"), lines.dump());
   EXPECT_REFUSED(
       evaluate("mm.geojson", "out"),
-      HasSubstr("times 0.001 the lines would lie in the cloud: are they in millimetres"));
+      HasSubstr("scaled by 0.001 the lines would lie in the cloud: are they in millimetres"));
 }
 
 TEST_F(LineFiles, NamedAndWrittenInLatin1GiveUtf8) {

@@ -80,7 +80,8 @@ TEST_F(SingleFiles, OfEvaluate) {
 TEST_F(SingleFiles, LinksAreReplacedOnlyIfToldAndTheirFileStays) {
   write(path("mine.csv"), "mine");
   fs::create_symlink("mine.csv", path("s.csv"));
-  EXPECT_REFUSED(run({"extract", "patch/left.tif", "--out", "s.csv"}), HasSubstr("s.csv: exists"));
+  EXPECT_REFUSED(run({"extract", "patch/left.tif", "--out", "s.csv"}),
+                 HasSubstr("s.csv: already exists"));
   EXPECT_EQ(run({"extract", "patch/left.tif", "--out", "s.csv", "--overwrite"}).exit_code, 0);
   EXPECT_EQ(read(path("mine.csv")), "mine");
 }

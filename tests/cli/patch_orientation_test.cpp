@@ -75,8 +75,8 @@ TEST_F(OrientedPatch, SaysOnceWhatItsImagesDecide) {
   const ProgramResult result = run_oriented();
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("info: patch/opk.csv: "));
-  EXPECT_EQ(n_found(result.err, "Decided: "), 1U) << result.err;
-  EXPECT_EQ(n_found(read(path("out/run.json")), "Decided: "), 1U);
+  EXPECT_EQ(n_found(result.err, "Determined: "), 1U) << result.err;
+  EXPECT_EQ(n_found(read(path("out/run.json")), "Determined: "), 1U);
 }
 
 TEST_F(OrientedPatch, NamesTheTableThatIsDamaged) {
@@ -86,7 +86,7 @@ TEST_F(OrientedPatch, NamesTheTableThatIsDamaged) {
         "name,x,y,z,omega_deg,phi_deg,kappa_deg,camera\nleft,1,2,3,0,0,0,of_left\n");
   EXPECT_REFUSED(run_oriented(),
                  AllOf(HasSubstr("patch/oriented.yaml: line "),
-                       HasSubstr("patch/opk.csv has no image right.tif; the nearest")));
+                       HasSubstr("patch/opk.csv has no image right.tif; similar names")));
 }
 
 }  // namespace

@@ -82,11 +82,11 @@ TEST_F(PlanScale, WebMercatorIsRefusedWithScaleRuleAndZone) {
   write_cloud("cloud.las", "EPSG:3857", kMercator, scale);
   write_ridge("ridge.geojson", "EPSG:3857", kMercator, scale);
   EXPECT_REFUSED(judge(),
-                 AllOf(HasSubstr("cloud.las"), HasSubstr("1.515 times"), HasSubstr("within 1 %"),
+                 AllOf(HasSubstr("cloud.las"), HasSubstr("is 1.515 in x"), HasSubstr("within 1 %"),
                        HasSubstr("EPSG:32632"), HasSubstr("--scale-to-ground")));
   for (const char* const file : {"cloud.las", "ridge.geojson"}) {
     EXPECT_THAT(run({"info", file}).out,
-                AllOf(HasSubstr("1.515 times"), HasSubstr("not true to scale")));
+                AllOf(HasSubstr("map scale 1.515 in x"), HasSubstr("not true to scale")));
   }
 }
 
@@ -136,7 +136,7 @@ images:
   const ProgramResult judged = judge({"--patch", "patch.yaml", "--scale-to-ground"});
   EXPECT_THAT(judged.err, HasSubstr("cameras cannot be scaled"));
   EXPECT_REFUSED(run({"run", "patch.yaml", "--out", "out"}),
-                 AllOf(HasSubstr("patch.yaml"), HasSubstr("1.515 times"), HasSubstr("EPSG:32632"),
+                 AllOf(HasSubstr("patch.yaml"), HasSubstr("is 1.515 in x"), HasSubstr("EPSG:32632"),
                        Not(HasSubstr("--scale-to-ground"))));
 }
 

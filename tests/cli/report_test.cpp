@@ -287,7 +287,7 @@ TEST_F(Report, OfJudgedLineFilesNeedsNoImages) {
 
 TEST_F(Report, RefusesAFolderWithoutResults) {
   fs::create_directories(path("empty"));
-  EXPECT_REFUSED(run({"report", "empty"}), HasSubstr("has no evaluation"));
+  EXPECT_REFUSED(run({"report", "empty"}), HasSubstr("holds no evaluation"));
   EXPECT_REFUSED(run({"report", "nowhere"}), HasSubstr("is not a results folder"));
   write(path("empty/evaluation.x.json"), "[]");
   EXPECT_REFUSED(run({"report", "empty"}), HasSubstr("evaluation.x.json"));

@@ -44,13 +44,13 @@ TEST_F(FlatPatch, ImagesWithoutTextureAreNotCheckedAgainstTheirCameras) {
   write_flat(400, 300);
   const ProgramResult result = run({"match", "flat/patch.yaml", "--out", "m.csv"});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_THAT(result.err, AllOf(HasSubstr("only 0 points"), HasSubstr("is skipped")));
+  EXPECT_THAT(result.err, AllOf(HasSubstr("only 0 tie points"), HasSubstr("is skipped")));
 }
 
 TEST_F(FlatPatch, UnitsThatAreHardlyMetresAreNamed) {
   write_flat(400, 300);
   EXPECT_THAT(run({"run", "flat/patch.yaml", "--out", "metres", "--no-report"}).err,
-              Not(HasSubstr("units")));
+              Not(HasSubstr("are in metres")));
   std::string text = read(path("flat/patch.yaml"));
   for (const auto& [metres, hundreds] :
        {std::pair("[0, 50]", "[0, 0.5]"), std::pair("-100, 80000]", "-100, 800]"),
@@ -62,7 +62,7 @@ TEST_F(FlatPatch, UnitsThatAreHardlyMetresAreNamed) {
   write(path("flat/patch.yaml"), text);
   const ProgramResult result = run({"run", "flat/patch.yaml", "--out", "out", "--no-report"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.err, AllOf(HasSubstr("a pixel of image left is 0.00077 m long"),
+  EXPECT_THAT(result.err, AllOf(HasSubstr("a pixel of image left covers 0.00077 m"),
                                 HasSubstr("check that cameras and heights are in metres")));
 }
 

@@ -71,10 +71,9 @@ TEST_F(RunPatch, ResumeRepeatsOnlyWhatDependsOnAChange) {
   fs::copy_file(path("patch/left.tif"), path("patch/right.tif"),
                 fs::copy_options::overwrite_existing);
   EXPECT_THAT(skipped(), HasSubstr("0 finished stages skipped"));
-  // what only the judge reads: its stage alone
-  EXPECT_THAT(skipped(), HasSubstr("7 finished stages skipped"));
+  // a comment: nothing
   edit_patch("id: \"1\"\n", "id: \"1\"  # the same\n");
-  EXPECT_THAT(skipped(), HasSubstr("6 finished stages skipped"));
+  EXPECT_THAT(skipped(), HasSubstr("7 finished stages skipped"));
 }
 
 TEST_F(RunPatch, InputsAreNeverWrittenOver) {
@@ -195,7 +194,7 @@ TEST_F(RunPatch, OnePictureForBothCamerasIsWarnedOf) {
 TEST_F(RunPatch, EndsWithTheStageThatUntilNames) {
   const ProgramResult matched = run_patch("out", {"--until", "match"});
   ASSERT_EQ(matched.exit_code, 0) << matched.err;
-  EXPECT_THAT(matched.out, HasSubstr("Table 1"));
+  EXPECT_THAT(matched.out, HasSubstr("pairwise"));
   EXPECT_TRUE(fs::exists(path("out/1/matches.csv")));
   for (const char* later : {"1/surface.las", "1/lines.direct.geojson", "table2.md", "report.html"})
     EXPECT_FALSE(fs::exists(path("out") / later)) << later;

@@ -93,7 +93,7 @@ TEST_F(ThreeImages, AreComparedWithTwoInSpace) {
   EXPECT_EQ(read_json(path("two/run.json"))["n_views"]["patch"], 2);
   const ProgramResult result = run({"compare", "two", "three", "--out", "compared"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, AllOf(HasSubstr("A used 2 images, B 3"), Not(HasSubstr("Warning"))));
+  EXPECT_THAT(result.out, AllOf(HasSubstr("A used 2 images, B used 3"), Not(HasSubstr("Warning"))));
   // joint: the faces beside a short line keep its slope, which two images alone do not.
   const auto compared = read_json(path("compared/compare.json"))["comparisons"][1];
   EXPECT_GT(compared["n_common"], 3 * compared["n_only_a"].get<int>());
@@ -166,7 +166,7 @@ class WrongThirdImage : public ThreeImages {
 
 TEST_F(WrongThirdImage, IsRefusedIfItIsTurned) {
   change([](const cv::Mat& in, cv::Mat& out) { cv::rotate(in, out, cv::ROTATE_180); });
-  const auto names_it = AllOf(HasSubstr("strip1.tif"), HasSubstr("do not match their cameras"),
+  const auto names_it = AllOf(HasSubstr("strip1.tif"), HasSubstr("do not fit their cameras"),
                               HasSubstr("rotated by 180 degrees"));
   EXPECT_REFUSED(run_patch("out"), names_it);
   EXPECT_REFUSED(run({"reconstruct", "patch/patch.yaml", "--out", "l.geojson"}), names_it);

@@ -59,9 +59,9 @@ TEST_F(Usage, VersionNamesProgramHashAndLibraries) {
 TEST_F(Usage, WrongUsageNamesTheWrongWord) {
   EXPECT_REFUSED(run({}), HasSubstr("subcommand is required"));
   EXPECT_REFUSED(run({"evalute"}),
-                 HasSubstr("evalute, the nearest is evaluate (see ridgeline --help)"));
+                 HasSubstr("evalute, did you mean evaluate? (see ridgeline --help)"));
   EXPECT_REFUSED(run({"evaluate", "--line", "a.csv"}),
-                 HasSubstr("--line a.csv, the nearest is --lines (see ridgeline evaluate --help)"));
+                 HasSubstr("--line a.csv, did you mean --lines? (see ridgeline evaluate --help)"));
   EXPECT_REFUSED(run({"evaluate", "--cloud", "a.las", "--out", "r"}), HasSubstr("--lines"));
   EXPECT_REFUSED(run({"info"}), HasSubstr("files is required"));
   EXPECT_REFUSED(run({"--log-level", "loud", "info", "scene/lidar.las"}), HasSubstr("loud"));

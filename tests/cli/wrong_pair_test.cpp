@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images that do not match their cameras.
+// Images that do not fit their cameras.
 #include "tests/cli/cli_fixture.h"
 #include "tests/support/paths.h"
 
@@ -60,7 +60,7 @@ TEST_F(WrongPair, SwappedImagesAreRefused) {
   fs::rename(path("pair/other.tif"), path("pair/right.tif"));
   EXPECT_REFUSED(match(),
                  AllOf(HasSubstr("left.tif"), HasSubstr("right.tif"),
-                       HasSubstr("do not match their cameras"), HasSubstr("at most 3"),
+                       HasSubstr("do not fit their cameras"), HasSubstr("at most 3"),
                        HasSubstr("with the images swapped"), HasSubstr("--max-y-parallax-px 0")));
   EXPECT_FALSE(fs::exists(path("m.csv")));
 }
@@ -87,9 +87,9 @@ TEST_F(WrongPair, ImagesOfAnotherSizeAreRefused) {
 TEST_F(WrongPair, IsRefusedByEveryCommandThatTakesAPair) {
   turn("left.tif", cv::ROTATE_180);
   EXPECT_REFUSED(run({"reconstruct", "pair/patch.yaml", "--out", "lines.geojson"}),
-                 HasSubstr("do not match their cameras"));
+                 HasSubstr("do not fit their cameras"));
   EXPECT_REFUSED(run({"run", "pair/patch.yaml", "--out", "out", "--no-report"}),
-                 HasSubstr("do not match their cameras"));
+                 HasSubstr("do not fit their cameras"));
   EXPECT_FALSE(fs::exists(path("out/run.json")));
 }
 

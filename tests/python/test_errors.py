@@ -56,7 +56,7 @@ class ErrorsAreOfTheRightKind(Case):
             (r"cloud: the shape is \(3, 2\); must be \(n, 3\)", lambda: ridgeline.evaluate(LINES, np.zeros((3, 2)))),
             (r"covariance_m2: the shape is \(2, 6\); must be \(89, 6, 6\)",
              lambda: ridgeline.evaluate(ridgeline.Lines(segments, covariance_m2=np.zeros((2, 6))), cloud)),
-            ("ids: 1  strings; must be one for each of  89 lines",
+            ("ids: 1 strings; must be one for each of 89 lines",
              lambda: ridgeline.evaluate(ridgeline.Lines(segments, ids=["a"]), cloud)),
             ("lines: .* degrees", lambda: ridgeline.evaluate(segments / 1e6, cloud)),
             ("lines: lines and cloud are not in the same frame", lambda: ridgeline.evaluate(segments + 1e5, cloud)),
@@ -88,10 +88,10 @@ class ErrorsAreOfTheRightKind(Case):
     def test_what_deserves_attention_is_a_warning(self):
         segments = np.array(ridgeline.read_lines(LINES).segments)
         segments[0] = np.nan
-        with self.assertWarnsRegex(UserWarning, "lines: .*not finite"):
+        with self.assertWarnsRegex(UserWarning, "lines: .*non-finite"):
             result = ridgeline.evaluate(segments, CLOUD)
         self.assertEqual(result.lines["status"][0], "non_finite")
-        self.assertTrue(any("not finite" in text for text in result.warnings))
+        self.assertTrue(any("non-finite" in text for text in result.warnings))
 
     def test_what_a_file_holds_beside_lines_is_counted(self):
         point = {"type": "Feature", "properties": {}, "geometry": {"type": "Point", "coordinates": [1, 2, 3]}}

@@ -129,7 +129,7 @@ class EvaluateTakesArrays(Case):
             result = ridgeline.evaluate(raised, CLOUD)
         self.assertTrue(result.shift["significant"])
         self.assertAlmostEqual(result.shift["axes"]["z"]["shift_m"], 0.5, delta=0.1)  # of lines that err by 0.2 m
-        with self.assertWarnsRegex(UserWarning, "It was removed before judging"):
+        with self.assertWarnsRegex(UserWarning, "They were moved against it"):
             moved = ridgeline.evaluate(raised, CLOUD, apply_shift=True)
         np.testing.assert_allclose(moved.segments, raised - moved.shift["told_m"], rtol=0, atol=ROUNDING_M)
         self.assertLess(moved.classes["total"]["rms_m"], result.classes["total"]["rms_m"])

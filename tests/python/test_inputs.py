@@ -195,7 +195,7 @@ class Reconstruct(Case):
                 ridgeline.reconstruct([ridgeline.View(*view, id="a")] * 2, (0, 10))
         for rule, heights, matrices in (("height_range_m = 10 to 0", (10, 0), [house_from_above(0).matrix] * 2),
                                         ("height_range_m: 1 numbers", (0,), [matrix] * 2),
-                                        ("view a: the matrix .* must be finite", (0, 10), [np.full((3, 4), np.nan)] * 2),
+                                        ("view a: its projection matrix must be finite", (0, 10), [np.full((3, 4), np.nan)] * 2),
                                         ("views: 1, must be two", (0, 10), [matrix])):
             with self.assertRaisesRegex(ValueError, rule), warnings.catch_warnings():
                 warnings.simplefilter("ignore")

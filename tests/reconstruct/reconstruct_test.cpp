@@ -176,7 +176,8 @@ TEST_F(TwoViews, AreRefusedByNameIfTheyCannotBeAPair) {
   EXPECT_THAT(message_of(wrong), HasSubstr("view " + wrong.views[1].id + ": bands = "));
   wrong = oriented();
   wrong.views[0].image_from_local.col(0) = wrong.views[0].image_from_local.col(1);
-  EXPECT_THAT(message_of(wrong), HasSubstr("view " + wrong.views[0].id + ": the matrix"));
+  EXPECT_THAT(message_of(wrong),
+              HasSubstr("view " + wrong.views[0].id + ": its projection matrix"));
   Options no_surface;
   no_surface.estimation.lines.method = Method::kPlanes;
   no_surface.estimation.beyond.surface = false;

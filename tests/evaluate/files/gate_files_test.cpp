@@ -85,7 +85,7 @@ TEST_F(ReadGates, NamesTheLineTheNearestAndTheKnownKeysForAnUnknownOne) {
   EXPECT_THAT(message_of("gate: []"),
               HasSubstr("unknown key 'gate', did you mean 'gates'? known keys: n_min, gates"));
   EXPECT_THAT(message_of("gates: [{max_increase_over_base: 1}]"),
-              HasSubstr("the nearest is 'max_increase_over_baseline';"));
+              HasSubstr("did you mean 'max_increase_over_baseline'?"));
   EXPECT_THAT(message_of("gates: [{max_ratio_to: {clas: aligned}}]"),
               HasSubstr("unknown key 'clas', did you mean 'class'? known keys: class"));
   EXPECT_THAT(message_of("gates: [{max: 1, max: 2}]"), HasSubstr("key 'max' appears twice"));
@@ -95,7 +95,7 @@ TEST_F(ReadGates, RejectsValuesOfTheWrongType) {
   EXPECT_THAT(message_of("gates: [{max: low}]"), HasSubstr("max = low; must be a finite number"));
   EXPECT_THAT(message_of("gates: [{max: .nan}]"), HasSubstr("must be a finite number"));
   EXPECT_THAT(message_of("gates: [{min: [1]}]"), HasSubstr("min = a list or a mapping; must be"));
-  EXPECT_THAT(message_of("gates: [{class: [a]}]"), HasSubstr("class must be a text"));
+  EXPECT_THAT(message_of("gates: [{class: [a]}]"), HasSubstr("class must be a string"));
   EXPECT_THAT(message_of("gates: [{n_min: 2.5}]"), HasSubstr("n_min = 2.5; must be a whole"));
   EXPECT_THAT(message_of("gates: [{n_min: 0}]"), HasSubstr("must be a whole number >= 1"));
   EXPECT_THAT(message_of("gates: [{max_increase_over_baseline: -1}]"),

@@ -57,7 +57,7 @@ TEST(LikelyCause, NamesTheGridThatWouldTell) {
               AllOf(HasSubstr("PROJ lacks the grid"), HasSubstr("GCG2016"), HasSubstr("`geoid`")));
   place.crs = {};
   EXPECT_THAT(likely_cause(known_shift({0.0, 0.0, 40.0}), place),
-              HasSubstr("and no reference system is given"));
+              HasSubstr("no reference system is stated"));
 }
 
 /// Two vertical cameras, whose pixels are `gsd_m` on the ground. Columns run east, rows south; the

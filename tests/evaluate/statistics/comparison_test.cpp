@@ -229,7 +229,7 @@ TEST(CompareFolders, PairsRunsOfDifferentNumbersOfViewsInSpaceByTheClassOfTheBas
   EXPECT_DOUBLE_EQ(*c.classes[1].rms_a_m, 0.4);
   EXPECT_EQ(find_class(c.own_b, kAligned)->n_lines, 2U);
   EXPECT_FALSE(c.n_not_aligned_differing);
-  EXPECT_THAT(to_terminal(report), HasSubstr("A used 2 images, B 5"));
+  EXPECT_THAT(to_terminal(report), HasSubstr("A used 2 images, B used 5"));
   EXPECT_THAT(report.warnings, testing::IsEmpty());
 }
 

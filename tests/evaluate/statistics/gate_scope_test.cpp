@@ -125,7 +125,7 @@ TEST(FiguresOf, LackOnePatchIsNotHiddenByTheOther) {
   ASSERT_EQ(figures.size(), 2U);
   EXPECT_FALSE(figures[1].value);
   EXPECT_EQ(figures[1].why_missing,
-            "there is no method joint; available: direct; run with --methods direct,joint");
+            "there is no method joint; available: direct; run with `methods` direct,joint");
   gate = gate_on("total", "quality");
   const std::vector<Figure> matching = figures_of(gate, gate.line_class, folder);
   ASSERT_EQ(matching.size(), 2U);
@@ -153,7 +153,7 @@ TEST(FiguresOf, SayWhichPatchesMethodsAndMatchersThereAre) {
   gate = gate_on("total");
   gate.method = "network";
   EXPECT_EQ(why_missing(gate, results_of({"direct", "joint"})),
-            "there is no method network; available: direct, joint; run with --methods "
+            "there is no method network; available: direct, joint; run with `methods` "
             "direct,joint,network");
   EXPECT_EQ(why_missing(gate_on("total"), ResultFolder{}), "there are no results");
   ResultFolder of_files = results_with(0.1);
@@ -258,7 +258,7 @@ TEST(ApplyGates, SaysWhatTheBaselineLacks) {
   EXPECT_EQ(result.verdict, Verdict::kMissing);
   EXPECT_EQ(result.explanation,
             "the baseline has no such figure: there is no method network; available: direct, "
-            "joint; run with --methods direct,joint,network");
+            "joint; run with `methods` direct,joint,network");
 }
 
 }  // namespace

@@ -49,10 +49,10 @@ TEST(JoinedPlanes, ThatShareOnlyTheirEdgeStayApart) {
   EXPECT_NE(ids[0], ids[2]);
 }
 
-TEST(JoinedPlanes, JoinAllLinesOfTheirRuns) {
+TEST(JoinedPlanes, TakeTheLinesThatShareTheirPointsAndNoOthersOfTheirRun) {
   const auto ids = joined({line_on(0, 1000, 7, 0.0), line_on(900, 1900, 7, 1.0),
                            line_on(3000, 4000, 4, 2.0), line_on(1000, 2000, 4, 3.0)});
-  EXPECT_THAT(ids, testing::Each(ids[0]));
+  EXPECT_THAT(ids, testing::ElementsAre(1, 1, 2, 1));
 }
 
 TEST(JoinedPlanes, KeepTheirSamplesInText) {

@@ -289,7 +289,7 @@ TEST(Table2, ShowsTheHeadlineFirstAndTheLinesThatThePlaceDecidedOnBesideIt) {
   const std::string cells = "0.300 (1/2) + 0.400 (1/2)";
   EXPECT_THAT(to_markdown(table),
               HasSubstr("| 1 | " + cells + " | 1.200 (1/2) | 0.875 (2/4) + 0.400 (1/4) |\n"));
-  EXPECT_THAT(to_markdown(table), HasSubstr("behind a +"));
+  EXPECT_THAT(to_markdown(table), HasSubstr("those after the + were decided by points"));
   EXPECT_THAT(to_latex(table), HasSubstr(" & " + cells + " & 1.200"));
   EXPECT_THAT(to_markdown(table),
               AllOf(HasSubstr("| 1 | direct | not_aligned plan_images | 1 | 50.0 | 0.300 |"),

@@ -163,7 +163,8 @@ TEST(ReadLasCrs, CodesThatDoNotCombineAreWarnedOf) {
   EXPECT_THAT(twice.warnings, ElementsAre(HasSubstr("key 4096 is 5709")));
   const LasCrs heights_alone = crs_of_keys({{3072, 5703}});
   EXPECT_FALSE(heights_alone.crs.known());
-  EXPECT_THAT(heights_alone.warnings, ElementsAre(HasSubstr("EPSG:5703, no horizontal")));
+  EXPECT_THAT(heights_alone.warnings,
+              ElementsAre(HasSubstr("EPSG:5703, which is not a horizontal")));
 }
 
 TEST(ReadLasCrs, AKeyThatChangesTheUnitOfHeightsChangesTheirSystem) {

@@ -121,7 +121,7 @@ TEST(ParseLasHeader, Prefers64BitCountAndWarnsOfADifference) {
 TEST(ParseLasHeader, SalvageReadsWhatIsThere) {
   const LasHeader cut = parse(one_point().set<std::uint32_t>(107, 5).bytes(), true);
   EXPECT_EQ(cut.n_points, 1U);
-  EXPECT_THAT(cut.warnings, ElementsAre("salvaged 1 records of 5 claimed"));
+  EXPECT_THAT(cut.warnings, ElementsAre("salvaged 1 of 5 declared records"));
   EXPECT_EQ(parse(one_point().set<std::uint32_t>(107, 0).bytes(), true).n_points, 1U);
 }
 

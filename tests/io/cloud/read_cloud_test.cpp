@@ -369,7 +369,7 @@ TEST_F(ReadCloud, SalvagesACutFile) {
   options.salvage = true;
   const PointCloud cloud = read_cloud({path}, options);
   EXPECT_EQ(cloud.points.size(), 1U);
-  EXPECT_THAT(cloud.warnings, Contains(HasSubstr("salvaged 1 records of 9")));
+  EXPECT_THAT(cloud.warnings, Contains(HasSubstr("salvaged 1 of 9 declared records")));
 }
 
 TEST_F(ReadCloud, CountsPointsThatAreNotFinite) {

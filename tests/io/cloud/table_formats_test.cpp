@@ -110,7 +110,7 @@ TEST(ReadPcd, NamesWhatIsWrong) {
   };
   for (const auto& [content, message] : {
            Case{pcd_header("binary") + pcd_row().substr(1), "declares 1 points but holds only"},
-           Case{pcd_header("ascii"), "claims 1 points but has only 0 lines"},
+           Case{pcd_header("ascii"), "declares 1 points but has only 0 lines"},
            Case{pcd_header("ascii") + "1 2 x 4 5 6 7\n", "line 12: \"x\" is not a number"},
            Case{pcd_header("ascii") + "1 2 3\n", "line 12 has too few numbers"},
            Case{pcd_header("zipped"), "DATA is zipped"},
@@ -124,7 +124,7 @@ TEST(ReadPcd, NamesWhatIsWrong) {
            Case{replaced(good, "DATA binary\n", ""), "the header does not end"},
            Case{pcd_header("binary_compressed") + "1234", "ends before the sizes"},
            Case{pcd_header("binary_compressed") + bytes_of(99U) + bytes_of(31U) + "x",
-                "claims 99 bytes of packed data"},
+                "declares 99 bytes of packed data"},
            Case{pcd_header("binary_compressed") + bytes_of(1U) + bytes_of(30U) + "x",
                 "packed data unpack to 30 bytes"},
            Case{pcd_header("binary_compressed") + bytes_of(1U) + bytes_of(31U) + "x",

@@ -104,13 +104,13 @@ TEST(TextLayout, NeverTakesAnotherColumnForHeights) {
 TEST(TextLayout, NamesWhatIsMissingOrAnotherFormat) {
   EXPECT_THAT(error_of_text("lon,lat,height\n8.1,48.2,250\n"),
               AllOf(HasSubstr("line 1"),
-                    HasSubstr("\"lon,lat,height\" the columns of x, y and z are ambiguous")));
+                    HasSubstr("\"lon,lat,height\": the columns of x, y and z are ambiguous")));
   EXPECT_THAT(error_of_text("ncols 100\nnrows 100\n"), HasSubstr("ASCII grid"));
   EXPECT_THAT(error_of_text("\xff\xfe"
                             "1\0"),
               HasSubstr("UTF-16"));
   EXPECT_THAT(error_of_text("512,999.314 5,403,002.956 250.001\n"),
-              HasSubstr("write numbers without other marks"));
+              HasSubstr("write numbers without marks other"));
   EXPECT_THAT(error_of_text("x;y;z\n512.999,314;5.403.002,956;250,001\n"),
               HasSubstr("\"512.999,314\" is not a number; write it without thousands"));
 }

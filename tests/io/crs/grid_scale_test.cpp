@@ -102,7 +102,7 @@ TEST(RequireTrueScale, NamesScaleRuleZoneAndRemedy) {
   };
   EXPECT_THAT(message("EPSG:3857", {1021578.967, 6237614.1076}),
               AllOf(HasSubstr("refused: a.las"), HasSubstr("WGS 84 / Pseudo-Mercator"),
-                    HasSubstr("1.515 times"), HasSubstr("within 1 %"),
+                    HasSubstr("is 1.515 in x and 1.519 in y at"), HasSubstr("within 1 %"),
                     HasSubstr("WGS 84 / UTM zone 32N (EPSG:32632), or wait")));
   EXPECT_THAT(message("EPSG:3857", {-8000000.0, -4000000.0}),
               HasSubstr("WGS 84 / UTM zone 19S (EPSG:32719)"));

@@ -102,7 +102,7 @@ std::string error_of(const std::string& path) {
 TEST(ReadImage, RefusesWhatIsNoImage) {
   const TempFolder folder;
   EXPECT_THAT(error_of(folder.file("missing.tif")), HasSubstr("missing.tif: does not exist"));
-  EXPECT_THAT(error_of(folder.file("")), HasSubstr("is a folder"));
+  EXPECT_THAT(error_of(folder.file("")), HasSubstr("is an empty folder"));
   EXPECT_THAT(error_of(folder.write("text.tif", "no image")), HasSubstr("is not a readable TIFF"));
   EXPECT_THAT(error_of(folder.write("empty.png", "")), HasSubstr("is not a readable TIFF"));
 }

@@ -74,7 +74,7 @@ TEST(ReadChunkTable, RefusesTablesThatContradictTheFile) {
            Case{[](FileBytes&f, std::size_t t) { put(f, t + 4, 2U); }, "3 points in chunks of 1"},
            Case{[](FileBytes&f, std::size_t t) { put(f, t + 4, 4'000'000'000U); },
                 "4000000000 chunks in 72 bytes"},
-           Case{[](FileBytes&f, std::size_t t) { f.resize(t + 9); }, "end"},
+           Case{[](FileBytes&f, std::size_t t) { f.resize(t + 9); }, "bytes too short"},
            Case{[](FileBytes&f, std::size_t t) { put(f, t + 8, std::uint64_t{0x0123456789}); },
                 "chunk 0 should have"},
            Case{[](FileBytes&f, std::size_t) { put(f, point_offset(f), std::int64_t{1} << 40); },

@@ -84,7 +84,7 @@ TEST(ReadObj, AsksBeforeItPairsVertices) {
 
 TEST(ReadObj, NamesTheRowThatIsWrong) {
   EXPECT_THAT(tool_error_of("a.obj", "v 0 0 0\nl 1 2\n"),
-              HasSubstr("a.obj:2: vertex index 2; the file"));
+              HasSubstr("a.obj:2: vertex index 2, but the file"));
   EXPECT_THAT(tool_error_of("a.obj", "v 0 0\n"),
               HasSubstr("a.obj:1: a vertex must have three coordinates"));
   EXPECT_THAT(tool_error_of("a.obj", "v 0 0 x\n"), HasSubstr("a.obj:1: 'x' is not a number"));
@@ -309,7 +309,7 @@ TEST(ReadShapefile, RefusesTypesWithoutHeight) {
 TEST(ReadOgr, SaysWhatIsWrong) {
   EXPECT_THAT(tool_error_of("a.gpkg", "SQLite? no"), HasSubstr("a.gpkg: is not a GeoPackage"));
   EXPECT_THAT(tool_error_of("a.gpkg", ""), HasSubstr("a.gpkg: is empty"));
-  EXPECT_THAT(tool_error_of("a.dxf", "\x01\x02\x03"), HasSubstr("a.dxf: is no DXF"));
+  EXPECT_THAT(tool_error_of("a.dxf", "\x01\x02\x03"), HasSubstr("a.dxf: is not a DXF"));
   EXPECT_THAT(io_error_of([] { read_lines("/nowhere/a.dxf"); }), HasSubstr("no such file"));
 }
 

@@ -373,7 +373,7 @@ TEST(ReadLines, BendsOfAFewCentimetresAndTurnsBackDivideALine) {
 TEST(ReadLines, NamesTheFileAndTheRule) {
   EXPECT_THAT(io_error_of([] { read_lines("/nowhere/a.csv"); }), "/nowhere/a.csv: no such file");
   EXPECT_THAT(error_of("a.tif", "II*"),
-              HasSubstr("extension '.tif': an image; supported are .geojson"));
+              HasSubstr("extension '.tif': a TIFF image; supported are .geojson"));
   EXPECT_THAT(error_of("a.bin", "x"), HasSubstr("Line3D++ .bin"));
   EXPECT_THAT(error_of("a.npy", "x"), HasSubstr("pickle"));
   EXPECT_THAT(error_of("a.csv", ""), HasSubstr("is empty"));

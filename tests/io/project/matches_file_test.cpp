@@ -69,7 +69,8 @@ TEST(ReadMatches, NamesRowAndRuleOfWhatIsWrong) {
   EXPECT_THAT(message("left_id,right_id\n1,2\n-1,2\n"), HasSubstr("m.csv:3: left_id = '-1'"));
   EXPECT_THAT(message("left_id,right_id\n1,2.5\n"), HasSubstr("right_id = '2.5'"));
   EXPECT_THAT(message("left_id,right_id,score\n1,2,nan\n"), HasSubstr("score = 'nan'"));
-  EXPECT_THAT(message("left_id,right_id\n1,2\n1,2\n"), HasSubstr("m.csv:3: the match 1, 2 occurs"));
+  EXPECT_THAT(message("left_id,right_id\n1,2\n1,2\n"),
+              HasSubstr("m.csv:3: the match 1, 2 appears twice"));
 }
 
 TEST(ReadReferenceMatches, ReadsTheEdgesThatWereWritten) {

@@ -264,7 +264,8 @@ TEST_F(PatchOfOrientation, TakesTheFilesOfAFolderThatItKnows) {
   ASSERT_THAT(patch.without_file, SizeIs(1));
   EXPECT_EQ(patch.without_file[0].id, "third");
   ASSERT_THAT(patch.warnings, SizeIs(1));
-  EXPECT_THAT(patch.warnings[0], AllOf(HasSubstr("1 of 3 files"), HasSubstr("frames/other.tif")));
+  EXPECT_THAT(patch.warnings[0],
+              AllOf(HasSubstr("1 of 3 image files"), HasSubstr("frames/other.tif")));
   (void)folder_.write("frames/left.png", "x");
   EXPECT_THAT(refusal_of("  frames\n"), AllOf(HasSubstr("has only one image, left, for both"),
                                               HasSubstr("narrow the pattern")));
