@@ -42,7 +42,7 @@ std::vector<std::pair<VisibleRun, VisibleRun>> paired(const std::vector<VisibleR
 }  // namespace
 
 std::vector<ReferenceEdge> reference_matches(std::span<const ShownEdge> edges,
-                                                 const VisibilityOptions& options) {
+                                             const VisibilityOptions& options) {
   std::vector<ShownEdge> candidates;
   for (const ShownEdge& edge : edges) {
     for (const auto& [left, right] : paired(edge.in_view(0), edge.in_view(1))) {

@@ -13,6 +13,6 @@ namespace ridgeline::simulate {
 /// to right by their first point. Their contrast must have been measured. An edge that is
 /// interrupted gives one match for each run that both see.
 std::vector<ReferenceEdge> reference_matches(std::span<const ShownEdge> edges,
-                                                 const VisibilityOptions& options = {});
+                                             const VisibilityOptions& options = {});
 
 }  // namespace ridgeline::simulate

@@ -16,8 +16,8 @@ char separator_of(std::string_view row);
 std::vector<std::string> table_fields(std::string_view row, char separator);
 
 /// The name of a column of an orientation or a cloud as this program calls it, by any of its usual
-/// names, with or without a unit ("X [m]", "Easting", "NOM", "omega_deg"): name, x, y, z, omega, phi, kappa, camera, roll, pitch,
-/// yaw, latitude, longitude. Others are given back in lower case.
+/// names, with or without a unit ("X [m]", "Easting", "NOM", "omega_deg"): name, x, y, z, omega,
+/// phi, kappa, camera, roll, pitch, yaw, latitude, longitude. Others are given back in lower case.
 std::string column_name(std::string_view name);
 
 /// The names of the columns of a table of omega, phi and kappa; empty if the row does not name x,

@@ -11,10 +11,10 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kStep_px = 0.5;     // step of the profile across the edge
-constexpr int kHalfDifference = 2;   // the gradient is that of samples 2 px apart
-constexpr int kSearchReach = 3;  // maxima up to 1.5 px from the segment count
-constexpr int kHalfBase = 2;         // the parabola through a maximum spans 2 px
+constexpr double kStep_px = 0.5;    // step of the profile across the edge
+constexpr int kHalfDifference = 2;  // the gradient is that of samples 2 px apart
+constexpr int kSearchReach = 3;     // maxima up to 1.5 px from the segment count
+constexpr int kHalfBase = 2;        // the parabola through a maximum spans 2 px
 constexpr int kHalfGradients = kSearchReach + kHalfBase;
 constexpr int kGradients = 2 * kHalfGradients + 1;
 constexpr int kHalfProfile = kHalfGradients + kHalfDifference;
