@@ -23,6 +23,9 @@
 namespace ridgeline::results {
 
 struct JudgeFilesOptions {
+  /// Judge only the lines that belong to this part of the plan, in the cloud's own coordinates; see
+  /// keep_area(). Nothing is refused then that only all lines can show.
+  std::optional<Eigen::AlignedBox2d> area = {};
   std::vector<std::string> line_paths;
   std::vector<std::string> cloud_paths;  ///< files and patterns
   std::optional<io::PatchFile> patch;    ///< its cameras class the lines aligned / not_aligned
@@ -34,9 +37,6 @@ struct JudgeFilesOptions {
   evaluate::JudgeOptions judge;
   evaluate::SummaryOptions summary;
   bool scale_to_ground = false;  ///< see set_plan_scale()
-  /// Judge only the lines that belong to this part of the plan, in the cloud's own coordinates; see
-  /// keep_area(). Nothing is refused then that only all lines can show.
-  std::optional<Eigen::AlignedBox2d> area = {};
   /// Whether lines with a significant shift are moved against it and judged again.
   bool apply_shift = false;
   /// To how many wrong places lines of each file are moved and judged again, see

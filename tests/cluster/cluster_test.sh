@@ -71,7 +71,7 @@ make_areas() (
 )
 
 compare_with_one_run() {
-  local rms
+  local rms=""
   for folder in whole town; do
     rms="$rms $(cut -d, -f3,4,5,6 $folder/table2.csv | md5sum)"
   done
