@@ -14,6 +14,7 @@
 #include "io/error.h"
 #include "io/files/csv_table.h"
 #include "io/files/text_file.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
 
@@ -96,7 +97,7 @@ Json shared_inputs_of(const AreaRun& run) {
     const auto role = input.at("role").get<std::string>();
     if (role == "cloud") continue;
     const std::string name = fs::path(input.at("path").get<std::string>()).filename().string();
-    hashes[role + " " + name] = input.at("sha256");
+    hashes[fmt::format("{} {}", role, name)] = input.at("sha256");
   }
   return hashes;
 }
@@ -324,8 +325,8 @@ void pool_by(const Evaluation& evaluation,
     rows[b].verdict = verdict_named(buildings[b].verdict);
   }
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    std::vector<std::string> values;
-    for (const PooledBuilding& building : buildings) values.push_back(building.by.at(c));
+    const std::vector<std::string> values =
+        transformed(buildings, [c](const PooledBuilding& building) { return building.by.at(c); });
     text += by_rows(evaluation.method, columns[c], rows, values);
   }
 }

@@ -12,6 +12,7 @@
 namespace ridgeline::results {
 
 /// The folder of a judgement of the lines of one area.
+// NOLINTNEXTLINE(bugprone-exception-escape): what moving JSON could throw is an assertion
 struct AreaRun {
   std::string folder;
   evaluate::Json run;                             ///< its run.json
@@ -20,6 +21,7 @@ struct AreaRun {
 };
 
 /// The judgements of areas as those of all lines.
+// NOLINTNEXTLINE(bugprone-exception-escape): what moving JSON could throw is an assertion
 struct PooledRuns {
   std::vector<AreaRun> runs;                      ///< by their bounds; without lines
   std::vector<evaluate::Evaluation> evaluations;  ///< one per line file

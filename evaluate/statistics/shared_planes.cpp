@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/statistics/shared_planes.h"
 
+#include "reconstruct/geometry/transformed.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -132,11 +134,8 @@ std::vector<std::uint32_t> point_sample(std::span<const std::uint64_t> point_key
   constexpr unsigned kDroppedBits = 34;
   std::vector<std::uint64_t> smallest(std::min(kSampleSize, point_keys.size()));
   std::partial_sort_copy(point_keys.begin(), point_keys.end(), smallest.begin(), smallest.end());
-  std::vector<std::uint32_t> sample;
-  for (const std::uint64_t key : smallest) {
-    sample.push_back(static_cast<std::uint32_t>(key >> kDroppedBits));
-  }
-  return sample;
+  return transformed(
+      smallest, [](std::uint64_t key) { return static_cast<std::uint32_t>(key >> kDroppedBits); });
 }
 
 void join_planes(std::span<const JudgedRun> runs) {
