@@ -664,13 +664,13 @@ test('each of five images has a panel for a line, with a word on what it shows',
   const captions = await textOf(page, '#details .chips figcaption');
   assert.equal(captions.length, 5);
   for (const caption of captions) assert.match(caption, /^(strip|cross)\d: agrees, \d+\.\d\d px off, sigma \d+\.\d\d px$/);
-  assert.match(await page.locator('#details').innerText(), /5 of 5 show it\n/);
+  assert.match(await page.locator('#details').innerText(), /5 of 5 images show it\n/);
   assert.equal(await page.locator('figure.disagrees').count(), 0);
   await page.locator('#details').evaluate((e) => e.scrollIntoView());
   await shot(page, 'five-images');
 
   await selectLine(page, await lineWhere(page, `l.id === '${five.contradicted}'`));
-  assert.match(await page.locator('#details').innerText(), /5 of 5 show it; cross1 differs\n/);
+  assert.match(await page.locator('#details').innerText(), /5 of 5 images show it; cross1 differs\n/);
   const differing = await textOf(page, 'figure.disagrees figcaption');
   assert.equal(differing.length, 1);
   assert.match(differing[0], /^cross1: differs, \d/);
@@ -680,7 +680,7 @@ test('each of five images has a panel for a line, with a word on what it shows',
   const missing = await textOf(page, 'figure.disagrees figcaption');
   assert.ok(missing.length > 0);
   for (const caption of missing) assert.match(caption, /: missing, it should show the line$/);
-  assert.match(await page.locator('#details').innerText(), /2 of 5 show it; missing in (strip|cross)\d/);
+  assert.match(await page.locator('#details').innerText(), /2 of 5 images show it; missing in (strip|cross)\d/);
   await shot(page, 'unconfirmed');
   await close(page);
 });
