@@ -132,14 +132,15 @@ struct GlobalOptions {
 void add_global_options(CLI::App& app, GlobalOptions& options) {
   app.fallthrough();
   app.require_subcommand(1);
-  app.set_version_flag("--version", version_text)->group("");  // the help fits one screen without
+  app.set_version_flag("--version", version_text);
   app.add_option("--jobs", options.jobs, "number of threads; 0: all; results do not depend on it")
       ->check(CLI::Range(0, 1024))
       ->option_text("N=0");
   app.add_flag("--quiet", options.quiet, "print only errors on stderr");
   app.add_option("--log-level", options.log_level, "log level: debug, info, warning or error")
       ->check(CLI::IsMember({"debug", "info", "warning", "error"}))
-      ->option_text("LEVEL=info");
+      ->option_text("LEVEL=info")
+      ->group("");  // --quiet is what most need, and the help fits one screen without
 }
 
 /// What is logged, with flags in place of the libraries' names of options.

@@ -89,6 +89,6 @@ def new_file(path: Path, overwrite: bool) -> str:
 
 
 def warn(messages: Iterable[str]) -> None:
-    """Warns at the line that calls the package."""
+    """Warns at the line that calls the package; options lose their backticks, as in errors."""
     for message in messages:
-        warnings.warn(message, UserWarning, stacklevel=3)
+        warnings.warn(message.replace("`", ""), UserWarning, stacklevel=3)
