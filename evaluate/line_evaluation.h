@@ -111,6 +111,19 @@ struct JudgedLine {
   std::optional<int> n_images;  ///< that support it, by its file
 };
 
+/// Points of a plane that a plane of an earlier line was the first to have.
+struct SharedPoints {
+  std::size_t line = 0;   ///< number of that line
+  std::size_t plane = 0;  ///< among its planes
+  std::size_t n = 0;
+};
+
+/// How many points a plane was fitted to, and which of them it shares; see find_shared_points().
+struct PlanePoints {
+  std::size_t n = 0;
+  std::vector<SharedPoints> shared;
+};
+
 /// A LIDAR plane chosen for a line.
 struct JudgingPlane {
   Plane3 plane{Eigen::Vector3d::UnitZ(), 0.0};  ///< local frame, normal upwards
@@ -122,9 +135,7 @@ struct JudgingPlane {
   double sigma_random_m = 0.0;   ///< sigma_m if the points' errors were independent
   SegmentPlaneDistance distance;
   std::uint64_t id = 0;  ///< equal for planes that are the same one: lines sharing it are dependent
-  /// point_sample() of its inliers, by which planes of several runs are the same one; only where
-  /// the lines of an area are judged.
-  std::vector<std::uint32_t> sample = {};
+  PlanePoints points = {};
 };
 
 /// How far a line lies from the intersection of its two planes; see ridge_displacement().

@@ -7,7 +7,6 @@
 #include "evaluate/files/line_shift.h"
 #include "evaluate/files/value_warnings.h"
 #include "evaluate/statistics/frame_check.h"
-#include "evaluate/statistics/shared_planes.h"
 #include "evaluate/tables/shift_text.h"
 #include "io/error.h"
 
@@ -190,18 +189,12 @@ Evaluation evaluation_of(const io::LineSet& set,
   evaluation.shift = shift;
   evaluation.lines.reserve(results.size());
   for (evaluate::JudgedResult& result : results) {
+    if (!options.area) {
+      for (evaluate::JudgingPlane& plane : result.evaluation.planes) plane.points = {};
+    }
     evaluation.lines.push_back(std::move(result.evaluation));
   }
   return evaluate::with_summaries(std::move(evaluation));
-}
-
-/// Keeps what planes of other areas are compared with.
-void sample_planes(std::vector<evaluate::JudgedResult>& results) {
-  for (evaluate::JudgedResult& result : results) {
-    for (std::size_t p = 0; p < result.inlier_keys.size(); ++p) {
-      result.evaluation.planes[p].sample = evaluate::point_sample(result.inlier_keys[p]);
-    }
-  }
 }
 
 /// Adds the warnings of the cloud in front of those of cloud and lines together, and the warnings
@@ -245,7 +238,6 @@ JudgedFiles finish_judging(PreparedLines prepared,
     judged.points = evaluate::plane_points(batches.results.front());  // of the only line file
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (options.area) sample_planes(batches.results[i]);
     judged.planes.push_back(evaluate::judged_planes(batches.results[i]));
     judged.evaluations.push_back(evaluation_of(judged.line_sets[i], std::move(batches.results[i]),
                                                shifts[i], judged.frame, options));

@@ -50,6 +50,16 @@ class Surroundings {
   }
 
   [[nodiscard]] io::PlanMask mask() const { return {footprints_, radius_m_ + reach_m_}; }
+  [[nodiscard]] Eigen::AlignedBox2d box() const {
+    const Eigen::Vector2d margin_m = Eigen::Vector2d::Constant(radius_m_ + reach_m_);
+    Eigen::AlignedBox2d box;
+    for (const Segment2& footprint : footprints_) {
+      for (const Eigen::Vector2d& end : {footprint.start, footprint.end}) {
+        box.extend(end - margin_m).extend(end + margin_m);
+      }
+    }
+    return box;
+  }
 
  private:
   const evaluate::JudgeOptions& options_;
@@ -241,6 +251,12 @@ bool all_lie_elsewhere(const JudgedBatches& judged) {
 }
 
 }  // namespace
+
+Eigen::AlignedBox2d surroundings_of(const JudgedLine& line, const evaluate::JudgeOptions& options) {
+  Surroundings surroundings(options);
+  surroundings.add(line);
+  return surroundings.box();
+}
 
 JudgedBatches judge_in_batches(io::CloudFiles& cloud,
                                const LineSets& lines,

@@ -7,6 +7,8 @@
 #include "evaluate/statistics/decoys.h"
 #include "io/cloud/cloud_files.h"
 
+#include <Eigen/Geometry>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -29,6 +31,11 @@ struct JudgedBatches {
   CloudReadings readings;
   std::vector<std::vector<evaluate::JudgedDecoy>> decoys;  ///< by set; empty if none were made
 };
+
+/// The box in plan around all points that planes of a line can be fitted to; empty for a line that
+/// cannot be judged.
+Eigen::AlignedBox2d surroundings_of(const evaluate::JudgedLine& line,
+                                    const evaluate::JudgeOptions& options);
 
 /// Judges every line by the points near it. If these need more memory than `max_memory_bytes` for
 /// all lines together, the lines are judged in batches of neighbours, halved until their points

@@ -117,10 +117,12 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
   check_models(prepared.judged.line_sets, options);
   record.end_stage("read_lines");
   DecoySets decoys = decoys_of(prepared.lines, options);
-  if (options.area) keep_area(options, cloud, prepared, decoys);
+  std::vector<AreaLines> of_area;
+  if (options.area) of_area = keep_area(options, cloud, prepared, decoys);
   JudgedBatches batches =
       judge_in_batches(cloud, prepared.lines, options.judge, options.cloud_memory_mib << 20U,
                        std::move(decoys), !options.area);
+  if (options.area) drop_neighbours(of_area, prepared, batches);
   JudgedFiles judged =
       finish_judging(std::move(prepared), std::move(batches), cloud, options, record);
   judge_models(cloud, options, record, judged);

@@ -2,8 +2,11 @@
 #include "evaluate/files/line_area.h"
 
 #include "evaluate/files/judged_lines.h"
+#include "reconstruct/geometry/box_index.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -67,6 +70,24 @@ std::vector<bool> are_lines_in(const Eigen::AlignedBox2d& area,
   return are_in(area, places);
 }
 
+/// The lines of the area, and all that planes may share points with.
+std::vector<bool> are_near(const std::vector<bool>& is_own,
+                           const std::vector<JudgedLine>& lines,
+                           const evaluate::JudgeOptions& options) {
+  const auto boxes =
+      transformed(lines, [&](const JudgedLine& line) { return surroundings_of(line, options); });
+  std::vector<Eigen::AlignedBox2d> own;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (is_own[i]) own.push_back(boxes[i]);
+  }
+  const BoxIndex2 index{std::span<const Eigen::AlignedBox2d>(own)};
+  std::vector<bool> is_near = is_own;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!is_own[i]) is_near[i] = !index.near(boxes[i], 0.0).empty();
+  }
+  return is_near;
+}
+
 void mark_repeated_ids(std::vector<JudgedLine>& lines) {
   std::unordered_set<std::string> seen;
   for (JudgedLine& line : lines) line.repeats_id = !seen.insert(line.id).second;
@@ -110,26 +131,50 @@ std::vector<std::size_t> buildings_in(const Eigen::AlignedBox2d& area_in_local,
   return numbers;
 }
 
-void keep_area(const JudgeFilesOptions& options,
-               const io::CloudFiles& cloud,
-               PreparedLines& prepared,
-               DecoySets& decoys) {
+std::vector<AreaLines> keep_area(const JudgeFilesOptions& options,
+                                 const io::CloudFiles& cloud,
+                                 PreparedLines& prepared,
+                                 DecoySets& decoys) {
   const Eigen::AlignedBox2d& in_file = *options.area;
   const Eigen::AlignedBox2d area = area_in_local(in_file, cloud);
+  std::vector<AreaLines> kept(prepared.lines.size());
   for (std::size_t i = 0; i < prepared.lines.size(); ++i) {
     std::vector<JudgedLine>& lines = prepared.lines[i];
     io::LineSet& set = prepared.judged.line_sets[i];
     mark_repeated_ids(lines);
-    const std::vector<bool> is_in = are_lines_in(area, set, lines, cloud.frame());
+    const std::vector<bool> is_own = are_lines_in(area, set, lines, cloud.frame());
+    const std::vector<bool> is_kept = are_near(is_own, lines, options.judge);
     evaluate::AreaPart& part = prepared.judged.areas.emplace_back();
     part.bounds = {in_file.min().x(), in_file.min().y(), in_file.max().x(), in_file.max().y()};
     part.n_lines = lines.size();
-    for (std::size_t k = 0; k < is_in.size(); ++k) {
-      if (is_in[k]) part.numbers.push_back(k);
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      if (is_own[k]) part.numbers.push_back(k);
+      if (!is_kept[k]) continue;
+      kept[i].numbers.push_back(k);
+      kept[i].is_own.push_back(is_own[k]);
     }
-    keep(is_in, lines);
-    keep(is_in, set.lines);
-    if (!decoys.empty()) keep_decoys(is_in, decoys[i]);
+    keep(is_kept, lines);
+    keep(is_kept, set.lines);
+    if (!decoys.empty()) keep_decoys(is_own, decoys[i]);
+  }
+  return kept;
+}
+
+void drop_neighbours(const std::vector<AreaLines>& kept,
+                     PreparedLines& prepared,
+                     JudgedBatches& batches) {
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const auto& [numbers, is_own] = kept[i];
+    for (evaluate::JudgedResult& result : batches.results[i]) {
+      for (evaluate::JudgingPlane& plane : result.evaluation.planes) {
+        for (evaluate::SharedPoints& shared : plane.points.shared) {
+          shared.line = numbers[shared.line];
+        }
+      }
+    }
+    keep(is_own, batches.results[i]);
+    keep(is_own, prepared.lines[i]);
+    keep(is_own, prepared.judged.line_sets[i].lines);
   }
 }
 

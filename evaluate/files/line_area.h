@@ -20,14 +20,26 @@ std::vector<std::size_t> buildings_in(const Eigen::AlignedBox2d& area_in_local,
                                       const io::LineSet& set,
                                       const LocalFrame& frame);
 
-/// Drops the lines that do not belong to the area, and the decoys made of them, and fills
-/// JudgedFiles::areas. A line belongs to the area that has its middle; edges of a model go with
-/// their building, and lines without usable coordinates with the middle of all. So each line
-/// belongs to one of several areas that cover all lines. A line whose id stands before it in the
-/// file repeats it, even if the earlier line is dropped.
-void keep_area(const JudgeFilesOptions& options,
-               const io::CloudFiles& cloud,
-               PreparedLines& prepared,
-               DecoySets& decoys);
+/// The lines of a file that are judged for an area: its own and their neighbours.
+struct AreaLines {
+  std::vector<std::size_t> numbers;  ///< in the file, ascending
+  std::vector<bool> is_own;          ///< of each of these
+};
+
+/// Drops the lines that neither belong to the area nor can share points with one that does, and the
+/// decoys made of lines that do not belong to it, and fills JudgedFiles::areas. A line belongs to
+/// the area that has its middle; edges of a model go with their building, and lines without usable
+/// coordinates with the middle of all. So each line belongs to one of several areas that cover all
+/// lines. A line whose id an earlier one in the file has repeats it, even if that one is dropped.
+std::vector<AreaLines> keep_area(const JudgeFilesOptions& options,
+                                 const io::CloudFiles& cloud,
+                                 PreparedLines& prepared,
+                                 DecoySets& decoys);
+
+/// Drops the neighbours once they are judged. JudgingPlane::points then name lines by their numbers
+/// in the file. `kept`: what keep_area() gave.
+void drop_neighbours(const std::vector<AreaLines>& kept,
+                     PreparedLines& prepared,
+                     JudgedBatches& batches);
 
 }  // namespace ridgeline::results

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/files/pool_runs.h"
 
-#include "evaluate/faces/building_table.h"
-#include "evaluate/faces/face_table.h"
 #include "evaluate/files/finish_judging.h"
 #include "evaluate/files/judge_decoys.h"
+#include "evaluate/files/pool_models.h"
 #include "evaluate/files/result_folder_reader.h"
 #include "evaluate/files/write_results.h"
+#include "evaluate/judge/plane_ids.h"
 #include "evaluate/statistics/frame_check.h"
-#include "evaluate/statistics/shared_planes.h"
 #include "evaluate/tables/evaluation_json.h"
-#include "evaluate/tables/format.h"
 #include "io/error.h"
-#include "io/files/csv_table.h"
 #include "io/files/text_file.h"
-#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +20,6 @@
 #include <map>
 #include <set>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 namespace ridgeline::results {
@@ -61,7 +56,7 @@ AreaRun read_run(const std::string& folder) {
   if (options.value("apply_shift", false)) {
     refuse_run(
         folder,
-        "its lines were moved by the shift of their own area (apply_shift); judge it without");
+        "its lines were moved by the shift of their own area (`apply_shift`); judge it without");
   }
   run.bounds = options.at("area").get<std::array<double, 4>>();
   for (const Json& lines : options.at("lines")) {
@@ -127,6 +122,8 @@ void require_same_making(const std::vector<AreaRun>& runs) {
     require_same(first, run, "option", options_of(first), options_of(run));
     require_same(first, run, "reference system", system_of(first), system_of(run));
     require_same(first, run, "input", shared_inputs_of(first), shared_inputs_of(run));
+    if (run.evaluations.size() == first.evaluations.size()) continue;
+    refuse_run(run.folder, "has another number of line files than " + first.folder);
   }
 }
 
@@ -170,8 +167,14 @@ struct LinePlace {
 std::vector<LinePlace> places_of(const std::vector<AreaRun>& runs, std::size_t method) {
   std::vector<LinePlace> places;
   for (std::size_t run = 0; run < runs.size(); ++run) {
-    const std::vector<std::size_t>& numbers = runs[run].evaluations[method].area->numbers;
-    for (std::size_t i = 0; i < numbers.size(); ++i) places.push_back({numbers[i], run, i});
+    const evaluate::AreaPart& area = *runs[run].evaluations[method].area;
+    for (std::size_t i = 0; i < area.numbers.size(); ++i) {
+      if (area.numbers[i] >= runs.front().evaluations[method].area->n_lines) {
+        refuse_run(runs[run].folder,
+                   fmt::format("has a line {} that its file lacks", area.numbers[i]));
+      }
+      places.push_back({area.numbers[i], run, i});
+    }
   }
   std::ranges::sort(places);
   const auto twice = std::ranges::adjacent_find(places, {}, &LinePlace::number);
@@ -183,14 +186,17 @@ std::vector<LinePlace> places_of(const std::vector<AreaRun>& runs, std::size_t m
                          runs[twice->run].folder));
 }
 
-void join_planes_of(std::vector<AreaRun>& runs, std::size_t method) {
-  std::vector<std::vector<evaluate::LineEvaluation*>> lines(runs.size());
-  std::vector<evaluate::JudgedRun> judged;
-  for (std::size_t run = 0; run < runs.size(); ++run) {
-    for (auto& line : runs[run].evaluations[method].lines) lines[run].push_back(&line);
-    judged.emplace_back(lines[run]);
+/// Gives the planes of all runs the ids of one run of all lines.
+void identify_planes_of(std::vector<AreaRun>& runs, std::size_t method) {
+  const std::size_t n_lines = runs.front().evaluations[method].area->n_lines;
+  std::vector<evaluate::LineEvaluation*> by_number(n_lines, nullptr);
+  for (AreaRun& run : runs) {
+    Evaluation& evaluation = run.evaluations[method];
+    for (std::size_t i = 0; i < evaluation.lines.size(); ++i) {
+      by_number[evaluation.area->numbers[i]] = &evaluation.lines[i];
+    }
   }
-  evaluate::join_planes(judged);
+  evaluate::identify_planes(by_number);
 }
 
 /// What the runs that state a likely cause of their shift agree on; else nothing.
@@ -237,7 +243,7 @@ Evaluation pooled_evaluation(std::vector<AreaRun>& runs,
                              std::size_t method,
                              std::vector<std::string>& warnings) {
   const std::vector<LinePlace> places = places_of(runs, method);
-  join_planes_of(runs, method);
+  identify_planes_of(runs, method);
   const Evaluation& first = runs.front().evaluations[method];
   Evaluation pooled;
   pooled.patch = first.patch;
@@ -246,7 +252,7 @@ Evaluation pooled_evaluation(std::vector<AreaRun>& runs,
   pooled.options = first.options;
   for (const auto& [number, run, line] : places) {
     pooled.lines.push_back(std::move(runs[run].evaluations[method].lines[line]));
-    for (evaluate::JudgingPlane& plane : pooled.lines.back().planes) plane.sample.clear();
+    for (evaluate::JudgingPlane& plane : pooled.lines.back().planes) plane.points = {};
   }
   if (const std::size_t n = first.area->n_lines; n > places.size()) {
     warnings.push_back(fmt::format("{}: {} of {} lines lie in none of the areas", pooled.method,
@@ -261,121 +267,6 @@ Evaluation pooled_evaluation(std::vector<AreaRun>& runs,
   pool_decoys(runs, method, places, pooled);
   check_follows_cloud(pooled, runs.front().folder, {}, warnings);
   return pooled;
-}
-
-/// The rows of a table of one run, read from front to back.
-class Rows {
- public:
-  Rows(const AreaRun& run, const char* name, std::size_t n_columns)
-      : table_((fs::path(run.folder) / name).string()), n_columns_(n_columns) {}
-
-  [[nodiscard]] bool at_end() const { return next_ == table_.size(); }
-  /// The cells of the next row.
-  std::vector<std::string> take() {
-    std::vector<std::string> cells;
-    for (std::size_t c = 0; c < n_columns_; ++c) {
-      cells.emplace_back(table_.text(next_, c));
-    }
-    ++next_;
-    return cells;
-  }
-
- private:
-  io::CsvTable table_;
-  std::size_t n_columns_;
-  std::size_t next_ = 0;
-};
-
-std::string csv_line(const std::vector<std::string>& cells) {
-  std::string line;
-  for (const std::string& cell : cells) line += evaluate::escape_csv(cell) + ",";
-  line.back() = '\n';
-  return line;
-}
-
-std::size_t n_columns_of(const std::string& header) {
-  return static_cast<std::size_t>(std::ranges::count(header, ',')) + 1;
-}
-
-/// A building of a run: its row of buildings.csv and those of faces.csv.
-struct PooledBuilding {
-  std::size_t number = 0;
-  std::vector<std::string> by;
-  std::string id, verdict, row, faces;
-};
-
-evaluate::BuildingVerdict verdict_named(const std::string& text) {
-  const auto found = std::ranges::find_if(evaluate::kBuildingVerdicts, [&](const auto verdict) {
-    return text == evaluate::text(verdict);
-  });
-  return found == evaluate::kBuildingVerdicts.end() ? evaluate::BuildingVerdict::kNotJudged
-                                                    : *found;
-}
-
-void pool_by(const Evaluation& evaluation,
-             const std::vector<PooledBuilding>& buildings,
-             const std::vector<std::string>& columns,
-             std::string& text) {
-  std::vector<evaluate::RoofBuilding> without_faces(buildings.size());
-  for (std::size_t b = 0; b < buildings.size(); ++b) without_faces[b].id = buildings[b].id;
-  std::vector<evaluate::BuildingRow> rows = evaluate::building_table(
-      without_faces, std::vector<std::vector<evaluate::FaceEvaluation>>(buildings.size()),
-      std::vector<evaluate::PointDistances>(buildings.size()), evaluation.lines);
-  for (std::size_t b = 0; b < buildings.size(); ++b) {
-    rows[b].verdict = verdict_named(buildings[b].verdict);
-  }
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    const std::vector<std::string> values =
-        transformed(buildings, [c](const PooledBuilding& building) { return building.by.at(c); });
-    text += by_rows(evaluation.method, columns[c], rows, values);
-  }
-}
-
-/// The tables of the models: rows of buildings in the order of their file, kinds added up.
-ModelTables pooled_models(const std::vector<AreaRun>& runs,
-                          const std::vector<Evaluation>& evaluations) {
-  ModelTables pooled;
-  const std::size_t n_columns = n_columns_of(evaluate::buildings_csv_header());
-  const std::size_t n_face_columns = n_columns_of(evaluate::faces_csv_header());
-  std::vector<std::vector<PooledBuilding>> buildings(evaluations.size());
-  std::map<std::tuple<std::size_t, std::string, std::string>, int> kinds;
-  for (const AreaRun& run : runs) {
-    if (!fs::exists(fs::path(run.folder) / "buildings.csv")) continue;
-    Rows rows(run, "buildings.csv", n_columns);
-    Rows faces(run, "faces.csv", n_face_columns);
-    const io::CsvTable table((fs::path(run.folder) / "buildings.csv").string());
-    for (std::size_t i = 0; i < evaluations.size(); ++i) {
-      for (const evaluate::AreaBuilding& building : run.evaluations[i].area->buildings) {
-        const std::vector<std::string> cells = rows.take();
-        const std::size_t n_faces = std::stoul(cells[table.column("n_faces")]);
-        PooledBuilding& one = buildings[i].emplace_back();
-        one = {building.number,           building.by,
-               cells[table.column("id")], cells[table.column("verdict")],
-               csv_line(cells),           ""};
-        for (std::size_t f = 0; f < n_faces; ++f) one.faces += csv_line(faces.take());
-      }
-    }
-    for (Rows counts(run, "kinds.csv", 4); !counts.at_end();) {
-      const std::vector<std::string> cells = counts.take();
-      const auto method = std::ranges::find(evaluations, cells[0], &Evaluation::method);
-      kinds[{static_cast<std::size_t>(method - evaluations.begin()), cells[1], cells[2]}] +=
-          std::stoi(cells[3]);
-    }
-  }
-  const auto columns = runs.front().run.at("options").at("by").get<std::vector<std::string>>();
-  for (std::size_t i = 0; i < evaluations.size(); ++i) {
-    std::ranges::sort(buildings[i], {}, &PooledBuilding::number);
-    for (const PooledBuilding& building : buildings[i]) {
-      pooled.buildings += building.row;
-      pooled.faces += building.faces;
-    }
-    if (!buildings[i].empty()) pool_by(evaluations[i], buildings[i], columns, pooled.by);
-  }
-  for (const auto& [kind, n] : kinds) {
-    const auto& [method, stated, in_scan] = kind;
-    pooled.kinds += csv_line({evaluations[method].method, stated, in_scan, fmt::format("{}", n)});
-  }
-  return with_headers(std::move(pooled));
 }
 
 }  // namespace
@@ -403,8 +294,9 @@ PooledRuns pool_runs(const std::vector<std::string>& folders) {
     }
     pooled.models = pooled_models(pooled.runs, pooled.evaluations);
   } catch (const Json::exception& error) {
-    refuse_run(folders.front(),
-               std::string("run.json of one of the runs is damaged: ") + error.what());
+    refuse_run(folders.front(), fmt::format("one of the runs is damaged: {}", error.what()));
+  } catch (const std::invalid_argument& error) {
+    refuse_run(folders.front(), fmt::format("one of the runs is damaged: {}", error.what()));
   }
   return pooled;
 }

@@ -8,7 +8,7 @@ set(evaluate_statistics_sources
   statistics/distribution.cpp statistics/evaluation.cpp statistics/frame_check.cpp statistics/interval.cpp
   statistics/matching_quality.cpp statistics/parameter_intervals.cpp statistics/reference_errors.cpp
   tables/reference_table.cpp
-  statistics/shared_planes.cpp statistics/strata.cpp statistics/summary.cpp statistics/tolerance_measures.cpp
+  statistics/strata.cpp statistics/summary.cpp statistics/tolerance_measures.cpp
   tables/accuracy_table.cpp tables/area_json.cpp tables/cells.cpp tables/decoy_json.cpp tables/decoy_table.cpp
   tables/display_width.cpp tables/evaluation_json.cpp
   tables/evaluation_parse.cpp tables/format.cpp tables/line_csv.cpp tables/summary_json.cpp tables/table1.cpp
@@ -25,7 +25,7 @@ set(evaluate_statistics_headers
   statistics/interval.h statistics/matching_quality.h statistics/parameter_intervals.h statistics/random.h
   statistics/reference_errors.h
   tables/reference_table.h
-  statistics/shared_planes.h statistics/strata.h statistics/summary.h statistics/tolerance_measures.h
+  statistics/strata.h statistics/summary.h statistics/tolerance_measures.h
   statistics/track_counts.h
   tables/accuracy_table.h tables/area_json.h tables/decoy_json.h tables/decoy_table.h tables/evaluation_json.h tables/format.h tables/result_folder.h tables/shift_json.h
   tables/shift_text.h tables/summary_json.h tables/table1.h tables/table2.h

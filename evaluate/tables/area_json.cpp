@@ -94,33 +94,21 @@ AreaPart parse_area(const Json& json) {
   }
 }
 
-namespace {
-constexpr std::string_view kLetters =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
-constexpr std::size_t kLettersPerValue = 5;
-constexpr std::uint32_t kBase = 64;
-}  // namespace
-
-std::string sample_text(const std::vector<std::uint32_t>& sample) {
-  std::string text;
-  for (std::uint32_t value : sample) {
-    for (std::size_t i = 0; i < kLettersPerValue; ++i) {
-      text += kLetters[value % kBase];
-      value /= kBase;
-    }
+std::string points_text(const PlanePoints& points) {
+  std::string text = fmt::format("{}", points.n);
+  for (const SharedPoints& shared : points.shared) {
+    text += fmt::format(" {} {} {}", shared.line, shared.plane, shared.n);
   }
   return text;
 }
 
-std::vector<std::uint32_t> parse_sample(const std::string& text) {
-  std::vector<std::uint32_t> sample(text.size() / kLettersPerValue, 0);
-  for (std::size_t i = sample.size() * kLettersPerValue; i-- > 0;) {
-    const std::size_t digit = kLetters.find(text[i]);
-    check(digit != std::string_view::npos, "sample: ", text, "; must be letters of base 64");
-    std::uint32_t& value = sample[i / kLettersPerValue];
-    value = value * kBase + static_cast<std::uint32_t>(digit);
-  }
-  return sample;
+PlanePoints parse_points(const std::string& text) {
+  std::istringstream words(text);
+  PlanePoints points;
+  words >> points.n;
+  check(!words.fail(), "points: ", text, "; must be numbers");
+  for (SharedPoints s; words >> s.line >> s.plane >> s.n;) points.shared.push_back(s);
+  return points;
 }
 
 }  // namespace ridgeline::evaluate

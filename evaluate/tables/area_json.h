@@ -4,9 +4,7 @@
 #include "evaluate/statistics/evaluation.h"
 #include "evaluate/tables/summary_json.h"
 
-#include <cstdint>
 #include <string>
-#include <vector>
 
 namespace ridgeline::evaluate {
 
@@ -16,9 +14,10 @@ Json area_json(const AreaPart& area);
 /// Reads what area_json() wrote. Throws std::invalid_argument for anything else.
 AreaPart parse_area(const Json& json);
 
-// JudgingPlane::sample as text, five letters a value.
-std::string sample_text(const std::vector<std::uint32_t>& sample);
-// The inverse. Throws std::invalid_argument for other text.
-std::vector<std::uint32_t> parse_sample(const std::string& text);
+/// JudgingPlane::points as text: their number, then line, plane and number of those that are
+/// shared.
+std::string points_text(const PlanePoints& points);
+/// The inverse. Throws std::invalid_argument for other text.
+PlanePoints parse_points(const std::string& text);
 
 }  // namespace ridgeline::evaluate

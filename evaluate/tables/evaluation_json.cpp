@@ -34,7 +34,7 @@ Json plane_json(const JudgingPlane& p, const Eigen::Vector3d& origin_m) {
             {"signed_mean_m", number_json(p.distance.mean)},
             {"rms_distance_m", number_json(p.distance.rms)},
             {"max_distance_m", number_json(p.distance.max_abs)}};
-  if (!p.sample.empty()) json["sample"] = sample_text(p.sample);
+  if (p.points.n > 0) json["points"] = points_text(p.points);
   return json;
 }
 

@@ -119,7 +119,7 @@ JudgingPlane parse_plane(const Json& json, const Eigen::Vector3d& origin_m) {
   p.distance.mean = number(json, "signed_mean_m");
   p.distance.rms = number(json, "rms_distance_m");
   p.distance.max_abs = number(json, "max_distance_m");
-  if (json.contains("sample")) p.sample = parse_sample(text(json, "sample"));
+  if (json.contains("points")) p.points = parse_points(text(json, "points"));
   return p;
 }
 
