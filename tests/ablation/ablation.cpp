@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// ablation FOLDER [VAIHINGEN_PATCH]: what each extension beyond the papers is worth. Leaves out one
-// at a time, on the training villages (seeds 1 to 8 and 21 to 28) and on seeds 1 to 10 of the other
-// renderer. ablation FOLDER --views VIEWS: on seeds 1 to 3 of both with the views that `simulate
-// --views` knows, strip:3,cross:2 for example. Prints Markdown tables: matches, roof lines found,
-// errors by class against true lines, z against LIDAR, elapsed time, and the difference to the
-// default with a 95 % interval by bootstrap over the scenes. Vaihingen has LIDAR alone: the
-// interval there is that of the clustered bootstrap over planes.
+// ablation FOLDER [--views VIEWS] [--held-out] [--only NAME[+NAME...],...] [--patch VAIHINGEN]:
+// what each extension beyond the papers is worth. Leaves out one at a time, or those joined by `+`
+// together, on the training villages (seeds 1 to 8 and 21 to 28) and on seeds 1 to 10 of the other
+// renderer; with --held-out, on seeds 101 to 110 of both. With --views, which takes what `simulate
+// --views` takes (strip:3,cross:2 for example), on the first three of them. Prints Markdown tables:
+// matches, roof lines found, errors by class against true lines, z against LIDAR, processor time,
+// and the difference to the default with a 95 % interval by bootstrap over the scenes. Vaihingen
+// has only LIDAR: the interval there is that of the clustered bootstrap over planes.
 #include "tests/other_scenes/write_scene.h"
 #include "tests/support/csv_rows.h"
 #include "tests/support/paths.h"
@@ -25,9 +26,9 @@
 #include <map>
 #include <optional>
 #include <random>
+#include <sstream>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -36,32 +37,47 @@ namespace {
 namespace fs = std::filesystem;
 using ridgeline::test::CsvRow;
 
-/// A config file that leaves something out.
-struct Variant {
+/// An extension, and the entry of a config file that leaves it out.
+struct Extension {
   const char* name;
-  const char* parameters;
+  const char* group;
+  const char* entry;
 };
 
-constexpr std::array kVariants{
-    Variant{"default", ""},
-    Variant{"faint_edges", "extract: {faint_edges: false}"},
-    Variant{"junction_cuts", "extract: {junction_cuts: false}"},
-    Variant{"separate_edges", "extract: {separate_edges: false}"},
-    Variant{"soft_edges", "extract: {soft_edges: false}"},
-    Variant{"matched_radiometry", "match: {matched_radiometry: false}"},
-    Variant{"close_lines", "match: {close_lines: false}"},
-    Variant{"hidden_walls", "match: {hidden_walls: false}"},
-    Variant{"propagate_heights", "match: {propagate_heights: false}"},
-    Variant{"match_surface", "match: {surface: false}"},
-    Variant{"guided", "match: {guided: false}"},
-    Variant{"register_profiles", "reconstruct: {register_profiles: false}"},
-    Variant{"shared_errors", "reconstruct: {shared_errors: false}"},
-    Variant{"faces_beside", "reconstruct: {faces_beside: false}"},
-    Variant{"max_end_sigma_m", "reconstruct: {max_end_sigma_m: 1e6}"},
-    Variant{"consensus", "reconstruct: {consensus: false, surface: false}"},
-    Variant{"surface", "reconstruct: {surface: false}"},
-    Variant{"gable_share", "reconstruct: {gable_share: 0}"},
-    Variant{"step_share", "reconstruct: {step_share: 0}"}};
+constexpr std::array kExtensions{
+    Extension{"faint_edges", "extract", "faint_edges: false"},
+    Extension{"junction_cuts", "extract", "junction_cuts: false"},
+    Extension{"separate_edges", "extract", "separate_edges: false"},
+    Extension{"soft_edges", "extract", "soft_edges: false"},
+    Extension{"matched_radiometry", "match", "matched_radiometry: false"},
+    Extension{"close_lines", "match", "close_lines: false"},
+    Extension{"hidden_walls", "match", "hidden_walls: false"},
+    Extension{"propagate_heights", "match", "propagate_heights: false"},
+    Extension{"match_surface", "match", "surface: false"},
+    Extension{"guided", "match", "guided: false"},
+    Extension{"register_profiles", "reconstruct", "register_profiles: false"},
+    Extension{"shared_errors", "reconstruct", "shared_errors: false"},
+    Extension{"faces_beside", "reconstruct", "faces_beside: false"},
+    Extension{"max_end_sigma_m", "reconstruct", "max_end_sigma_m: 1e6"},
+    Extension{"consensus", "reconstruct", "consensus: false, surface: false"},
+    Extension{"surface", "reconstruct", "surface: false"},
+    Extension{"gable_share", "reconstruct", "gable_share: 0"},
+    Extension{"step_share", "reconstruct", "step_share: 0"}};
+
+/// Extensions that are left out together; the default leaves out none.
+struct Variant {
+  std::string name;
+  std::vector<Extension> left_out;
+};
+
+/// What to run.
+struct Plan {
+  fs::path folder;
+  std::string views;  ///< as `simulate --views` takes them; empty: a pair
+  bool is_held_out = false;
+  std::vector<Variant> variants{{"default", {}}};
+  std::string vaihingen;  ///< its patch file; empty: left out
+};
 
 constexpr int kScenesOfManyViews = 3;  // by renderer
 
@@ -188,15 +204,27 @@ std::array<double, 2> interval(const Measure& measure, const Scenes& with, const
   return {differences[kReplicates / 40], differences[kReplicates - 1 - kReplicates / 40]};
 }
 
+/// The config file of a variant.
+std::string config_of(const Variant& variant) {
+  std::map<std::string, std::string> groups{{"judge", ""}};
+  for (const auto& [name, group, entry] : variant.left_out) {
+    std::string& entries = groups[group];
+    entries += (entries.empty() ? "" : ", ") + std::string(entry);
+  }
+  std::string config;
+  for (const auto& [group, entries] : groups) config += fmt::format("{}: {{{}}}\n", group, entries);
+  return config;
+}
+
 /// Runs all variants on the patches; the results of each in a folder of its name. Returns their
 /// processor times.
-std::map<std::string, double> run_variants(const fs::path& folder,
+std::map<std::string, double> run_variants(const std::vector<Variant>& variants,
+                                           const fs::path& folder,
                                            const std::vector<std::string>& patches) {
   std::map<std::string, double> seconds;
-  for (const Variant& variant : kVariants) {
-    const fs::path config = folder / (std::string(variant.name) + ".yaml");
-    std::ofstream(config) << (*variant.parameters == '\0' ? "judge: {}" : variant.parameters)
-                          << "\n";
+  for (const Variant& variant : variants) {
+    const fs::path config = folder / (variant.name + ".yaml");
+    std::ofstream(config) << config_of(variant);
     std::vector<std::string> arguments{"run",       "--out",         variant.name, "--no-report",
                                        "--methods", "joint,network", "--config",   config.string()};
     arguments.insert(arguments.end(), patches.begin(), patches.end());
@@ -227,9 +255,10 @@ std::string row_of(const Variant& variant, const SceneFigures& f, double seconds
 }
 
 void print_set(const std::string& title,
+               const std::vector<Variant>& variants,
                const fs::path& folder,
                const std::vector<std::string>& patches) {
-  const std::map<std::string, double> seconds = run_variants(folder, patches);
+  const std::map<std::string, double> seconds = run_variants(variants, folder, patches);
   for (const std::string method : {"joint", "network"}) {
     std::string head = "| without | correct / false / missed |";
     std::string rule = "|---|--:|";
@@ -242,16 +271,16 @@ void print_set(const std::string& title,
     fmt::print(
         "\n{}, {} scenes, `{}`\n\n{} median z² | beyond 3.29 % | processor s |\n{}--:|--:|--:|\n",
         title, patches.size(), method, head, rule);
-    const Scenes with = scenes_of(folder / kVariants[0].name, method);
-    for (const Variant& variant : kVariants) {
+    const Scenes with = scenes_of(folder / variants[0].name, method);
+    for (const Variant& variant : variants) {
       fmt::print("{}", row_of(variant, sum_of(scenes_of(folder / variant.name, method)),
                               seconds.at(variant.name)));
     }
     fmt::print("\nChange without it, 95 % interval by scene\n\n{}\n{}\n", changes,
                rule.substr(0, rule.size() - 4));
-    for (std::size_t v = 1; v < kVariants.size(); ++v) {
-      const Scenes without = scenes_of(folder / kVariants[v].name, method);
-      fmt::print("| {} |", kVariants[v].name);
+    for (std::size_t v = 1; v < variants.size(); ++v) {
+      const Scenes without = scenes_of(folder / variants[v].name, method);
+      fmt::print("| {} |", variants[v].name);
       for (const Measure& measure : measures()) {
         const auto [low, high] = interval(measure, with, without);
         fmt::print(" {:+.1f} ({:+.1f}, {:+.1f}) |",
@@ -262,11 +291,16 @@ void print_set(const std::string& title,
   }
 }
 
-/// @param views  as `simulate --views` takes them; empty: a pair
-std::vector<std::string> make_villages(const fs::path& folder, const std::string& views) {
+/// The seeds of a set of scenes: those for training, or those held out.
+std::vector<int> seeds_of(const Plan& plan, std::vector<int> seeds) {
+  if (plan.is_held_out) seeds = {101, 102, 103, 104, 105, 106, 107, 108, 109, 110};
+  if (!plan.views.empty()) seeds.resize(kScenesOfManyViews);
+  return seeds;
+}
+
+std::vector<std::string> make_villages(const Plan& plan, const fs::path& folder) {
   std::vector<std::string> patches;
-  for (int i = 0; i < (views.empty() ? 16 : kScenesOfManyViews); ++i) {
-    const int seed = i < 8 ? i + 1 : i + 13;  // 1 to 8 and 21 to 28
+  for (const int seed : seeds_of(plan, {1, 2, 3, 4, 5, 6, 7, 8, 21, 22, 23, 24, 25, 26, 27, 28})) {
     const std::string name = std::to_string(seed);
     std::vector<std::string> arguments{"simulate",
                                        "--out",
@@ -277,7 +311,7 @@ std::vector<std::string> make_villages(const fs::path& folder, const std::string
                                        "80,80",
                                        "--street-azimuth-deg",
                                        std::to_string(17 * (seed - 1) % 90)};
-    if (!views.empty()) arguments.insert(arguments.end(), {"--views", views});
+    if (!plan.views.empty()) arguments.insert(arguments.end(), {"--views", plan.views});
     const auto result = ridgeline::test::run_program(ridgeline::test::program(), arguments, folder);
     check(result.exit_code == 0, result.err);
     patches.push_back((folder / name / "patch.yaml").string());
@@ -285,24 +319,26 @@ std::vector<std::string> make_villages(const fs::path& folder, const std::string
   return patches;
 }
 
-std::vector<std::string> make_other_scenes(const fs::path& folder, const std::string& views) {
-  const auto plan = ridgeline::other::flight_plan(views.empty() ? "strip:2" : views);
+std::vector<std::string> make_other_scenes(const Plan& plan, const fs::path& folder) {
+  const auto flight = ridgeline::other::flight_plan(plan.views.empty() ? "strip:2" : plan.views);
   std::vector<std::string> patches;
-  for (std::uint64_t seed = 1; seed <= (views.empty() ? 10 : kScenesOfManyViews); ++seed) {
+  for (const int seed : seeds_of(plan, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10})) {
     const fs::path scene = folder / std::to_string(seed);
     fs::create_directories(scene);
-    ridgeline::other::write_scene(scene.string(), seed, plan);
+    ridgeline::other::write_scene(scene.string(), static_cast<std::uint64_t>(seed), flight);
     patches.push_back((scene / "patch.yaml").string());
   }
   return patches;
 }
 
-void print_vaihingen(const fs::path& folder, const std::string& patch) {
-  (void)run_variants(folder, {patch});
+void print_vaihingen(const std::vector<Variant>& variants,
+                     const fs::path& folder,
+                     const std::string& patch) {
+  (void)run_variants(variants, folder, {patch});
   fmt::print(
       "\nVaihingen against LIDAR, `joint`: RMS m with its 95 % interval over planes\n\n"
       "| without | matches | total | n | aligned | n |\n|---|--:|--:|--:|--:|--:|\n");
-  for (const Variant& variant : kVariants) {
+  for (const Variant& variant : variants) {
     std::map<std::string, CsvRow> rows;
     for (const CsvRow& row : ridgeline::test::read_csv(folder / variant.name / "table2.csv")) {
       if (row.at("method") == "joint") rows[row.at("class")] = row;
@@ -322,22 +358,61 @@ fs::path made(const fs::path& folder) {
   return fs::absolute(folder);
 }
 
+std::vector<std::string> parts_of(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+Variant variant_of(const std::string& name) {
+  Variant variant{name, {}};
+  for (const std::string& part : parts_of(name, '+')) {
+    const auto* const found = std::ranges::find(
+        kExtensions, part, [](const Extension& e) { return std::string(e.name); });
+    check(found != kExtensions.end(), "no extension " + part);
+    variant.left_out.push_back(*found);
+  }
+  return variant;
+}
+
+/// Throws std::runtime_error for arguments that are not known.
+Plan plan_of(const std::vector<std::string>& arguments) {
+  check(!arguments.empty(), "usage: see the head of ablation.cpp");
+  Plan plan{.folder = arguments[0]};
+  std::string only;
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    if (arguments[i] == "--held-out") {
+      plan.is_held_out = true;
+      continue;
+    }
+    const std::map<std::string, std::string*> values{
+        {"--views", &plan.views}, {"--only", &only}, {"--patch", &plan.vaihingen}};
+    const auto found = values.find(arguments[i]);
+    check(found != values.end() && i + 1 < arguments.size(), "not known: " + arguments[i]);
+    *found->second = arguments[++i];
+  }
+  for (const std::string& name : parts_of(only, ',')) plan.variants.push_back(variant_of(name));
+  if (!only.empty()) return plan;
+  for (const Extension& extension : kExtensions)
+    plan.variants.push_back({extension.name, {extension}});
+  return plan;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool has_views = argc == 4 && std::string_view(argv[2]) == "--views";
-  if (argc != 2 && argc != 3 && !has_views) {
-    std::fprintf(stderr, "usage: ablation FOLDER [VAIHINGEN_PATCH | --views VIEWS]\n");
-    return 1;
-  }
   try {
-    const fs::path folder = argv[1];
-    const std::string views = has_views ? argv[3] : "";
-    const fs::path villages = made(folder / "villages");
-    print_set("Training villages", villages, make_villages(villages, views));
-    const fs::path other = made(folder / "other_scenes");
-    print_set("Other renderer", other, make_other_scenes(other, views));
-    if (argc == 3) print_vaihingen(made(folder / "vaihingen"), fs::absolute(argv[2]).string());
+    const Plan plan = plan_of({argv + 1, argv + argc});
+    const fs::path villages = made(plan.folder / "villages");
+    print_set(plan.is_held_out ? "Held-out villages" : "Training villages", plan.variants, villages,
+              make_villages(plan, villages));
+    const fs::path other = made(plan.folder / "other_scenes");
+    print_set("Other renderer", plan.variants, other, make_other_scenes(plan, other));
+    if (!plan.vaihingen.empty()) {
+      print_vaihingen(plan.variants, made(plan.folder / "vaihingen"),
+                      fs::absolute(plan.vaihingen).string());
+    }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "ablation: %s\n", error.what());
     return 1;
