@@ -133,8 +133,7 @@ void print_buildings(const io::LineSet& set) {
     return transformed(
         counts, [](const auto& entry) { return fmt::format("{} {}", entry.second, entry.first); });
   };
-  const auto n_roofs =
-      std::ranges::count(set.model->faces, io::SurfaceKind::kRoof, &io::ModelFace::kind);
+  const auto n_roofs = std::ranges::count(set.model->faces, FaceKind::kRoof, &Face::kind);
   fmt::print("  buildings   {}; {} roof faces\n  kinds       {}\n", fmt::join(listed(lods), ", "),
              n_roofs, fmt::join(listed(kinds), ", "));
 }

@@ -103,16 +103,11 @@ io::BuildingModel true_model(const Scene& scene) {
                                      {2, building.pitch_rad / kRadPerDeg},
                                      {3, building.ridge_azimuth_rad / kRadPerDeg}});
   }
-  for (const SceneFace& face : scene.faces) {
-    io::ModelFace out;
-    for (const std::vector<Eigen::Vector3d>& ring : face.rings) {
-      Ring& ring_in_world = out.rings.emplace_back();
-      for (const Eigen::Vector3d& x : ring)
-        ring_in_world.push_back(scene.frame.world_from_local(x));
+  for (const Face& face : scene.faces) {
+    Face& in_world = model.faces.emplace_back(face);
+    for (Ring& ring : in_world.rings) {
+      for (Eigen::Vector3d& x : ring) x = scene.frame.world_from_local(x);
     }
-    out.kind = face.kind;
-    out.building = static_cast<std::size_t>(face.building_id);
-    model.faces.push_back(std::move(out));
   }
   return model;
 }

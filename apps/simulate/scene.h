@@ -116,14 +116,6 @@ struct SceneBuilding {
   std::vector<ConvexPolygon> roof_footprint;  ///< outlines of its roofs with the overhangs
 };
 
-/// A face of a building as a model of it has it, see true_faces().
-struct SceneFace {
-  /// Local; the outer one is counter-clockwise seen from outside, holes run the other way.
-  std::vector<std::vector<Eigen::Vector3d>> rings;
-  io::SurfaceKind kind = io::SurfaceKind::kUnknown;
-  int building_id = kNone;
-};
-
 /// A synthetic village with its exact truth. Everything is local; world = local + frame.origin_m.
 struct Scene {
   LocalFrame frame;
@@ -135,7 +127,9 @@ struct Scene {
   std::vector<SceneLine> lines;   ///< true lines
   std::vector<SceneLine> joints;  ///< kind kJoint: they close the outlines of the visible faces
   std::vector<SceneBuilding> buildings;
-  std::vector<SceneFace> faces;  ///< of the buildings, those of one together
+  /// Of the buildings, those of one together, see true_faces(). The outer rings are
+  /// counter-clockwise seen from outside, holes run the other way.
+  std::vector<Face> faces;
 };
 
 /// The true lines in the CRS of the scene. Their id is the number in Scene::lines. They have no

@@ -85,7 +85,7 @@ class FaceCollector {
   FaceCollector(std::span<const RoofPart> parts, std::span<const PartFace> roof_faces)
       : parts_(parts), roof_faces_(roof_faces) {}
 
-  std::vector<SceneFace> collect() {
+  std::vector<Face> collect() {
     for (const PartFace& face : roof_faces_) add_roof(face);
     for (const RoofPart& part : parts_) {
       for (std::size_t i = 0; i < part.walls.size(); ++i) add_wall(part, i);
@@ -95,7 +95,7 @@ class FaceCollector {
       if (std::ranges::find(ids, part.building_id) == ids.end()) ids.push_back(part.building_id);
     }
     for (const int id : ids) add_ground(id);
-    std::ranges::stable_sort(faces_, {}, &SceneFace::building_id);
+    std::ranges::stable_sort(faces_, {}, &Face::building);
     return std::move(faces_);
   }
 
@@ -111,8 +111,10 @@ class FaceCollector {
     return found;
   }
 
-  void add(std::vector<std::vector<Eigen::Vector3d>> rings, io::SurfaceKind kind, int building_id) {
-    if (!rings.empty()) faces_.push_back({std::move(rings), kind, building_id});
+  void add(std::vector<std::vector<Eigen::Vector3d>> rings, FaceKind kind, int building_id) {
+    if (!rings.empty()) {
+      faces_.push_back({std::move(rings), kind, static_cast<std::size_t>(building_id), ""});
+    }
   }
 
   void add_roof(const PartFace& face) {
@@ -130,7 +132,7 @@ class FaceCollector {
       seen = std::move(rest);
     }
     for (const PlanPolygon& polygon : seen)
-      add(lifted_rings(polygon, face.height), io::SurfaceKind::kRoof, part.building_id);
+      add(lifted_rings(polygon, face.height), FaceKind::kRoof, part.building_id);
   }
 
   /// Where another part hides the foot of a wall: just outside the wall one is inside that part.
@@ -214,7 +216,7 @@ class FaceCollector {
     ring.insert(ring.end(), profile.upper.rbegin(), profile.upper.rend());
     profile = {};
     ring = tidied(std::move(ring));
-    if (ring.size() > 2) add({std::move(ring)}, io::SurfaceKind::kWall, part.building_id);
+    if (ring.size() > 2) add({std::move(ring)}, FaceKind::kWall, part.building_id);
   }
 
   /// The ground below the walls of all parts; those of a dormer stand within others.
@@ -232,19 +234,19 @@ class FaceCollector {
       auto rings = lifted_rings(polygon, {Eigen::Vector2d::Zero(), base_z_m});
       for (std::vector<Eigen::Vector3d>& ring : rings)
         std::ranges::reverse(ring);  // its outside is below
-      add(std::move(rings), io::SurfaceKind::kGround, building_id);
+      add(std::move(rings), FaceKind::kGround, building_id);
     }
   }
 
   std::span<const RoofPart> parts_;
   std::span<const PartFace> roof_faces_;
-  std::vector<SceneFace> faces_;
+  std::vector<Face> faces_;
 };
 
 }  // namespace
 
-std::vector<SceneFace> true_faces(std::span<const RoofPart> parts,
-                                  std::span<const PartFace> roof_faces) {
+std::vector<Face> true_faces(std::span<const RoofPart> parts,
+                             std::span<const PartFace> roof_faces) {
   return FaceCollector(parts, roof_faces).collect();
 }
 

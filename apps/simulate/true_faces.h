@@ -14,7 +14,6 @@ namespace ridgeline::simulate {
 /// another part of the same building is cut away, so the roof faces of a building cover its plan
 /// once. Party walls between two buildings are whole on both sides. Faces do not close where roofs
 /// overhang.
-std::vector<SceneFace> true_faces(std::span<const RoofPart> parts,
-                                  std::span<const PartFace> roof_faces);
+std::vector<Face> true_faces(std::span<const RoofPart> parts, std::span<const PartFace> roof_faces);
 
 }  // namespace ridgeline::simulate

@@ -2,8 +2,8 @@
 #include "evaluate/faces/edge_heights.h"
 
 #include "reconstruct/geometry/box_index.h"
-#include "reconstruct/geometry/ring.h"
-#include "reconstruct/geometry/roof_edge.h"
+#include "reconstruct/geometry/faces/ring.h"
+#include "reconstruct/geometry/faces/roof_edge.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/Dense>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/faces/roof_face.h"
 
-#include "reconstruct/geometry/ring.h"
+#include "reconstruct/geometry/faces/ring.h"
 
 #include <Eigen/Geometry>
 

@@ -2,9 +2,9 @@
 #include "evaluate/files/judged_lines.h"
 
 #include "io/error.h"
-#include "io/models/face_geometry.h"
 #include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/epipolar.h"
+#include "reconstruct/geometry/faces/face_geometry.h"
 #include "reconstruct/geometry/segment.h"
 #include "reconstruct/geometry/transformed.h"
 
@@ -102,7 +102,7 @@ JudgedLine judged_line(const io::Line& line,
 std::optional<Eigen::Vector2d> inside_of_border(const io::Line& line,
                                                 const io::BuildingModel& model) {
   if (line.plane_ids.size() != 1) return std::nullopt;
-  const io::ModelFace& face = model.faces[static_cast<std::size_t>(line.plane_ids[0])];
+  const Face& face = model.faces[static_cast<std::size_t>(line.plane_ids[0])];
   const auto inward = io::inward_of(face, *io::plane_of(face), line.segment_in_world);
   if (!inward || inward->head<2>().isZero()) return std::nullopt;
   return inward->head<2>().normalized();

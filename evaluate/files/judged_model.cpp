@@ -33,15 +33,15 @@ JudgedModel roofs_of(const io::LineSet& set, const Eigen::Vector3d& by_m, const 
   for (std::size_t i = 0; i < model.buildings.size(); ++i)
     judged.buildings[i].id = model.buildings[i].id;
   for (std::size_t i = 0; i < model.faces.size(); ++i) {
-    const io::ModelFace& face = model.faces[i];
-    if (face.kind == io::SurfaceKind::kOther) continue;
+    const Face& face = model.faces[i];
+    if (face.kind == FaceKind::kOther) continue;
     std::vector<Ring> rings = face.rings;
     for (Ring& ring : rings)
       for (Eigen::Vector3d& x : ring) x = frame.local_from_world(x.cwiseProduct(unit_m)) + by_m;
     RoofBuilding& building = judged.buildings[face.building];
     evaluate::RoofFace made = evaluate::make_roof_face(
         face.id.empty() ? fmt::format("{}", i) : face.id, std::move(rings));
-    if (face.kind != io::SurfaceKind::kRoof) {
+    if (face.kind != FaceKind::kRoof) {
       building.others.push_back(std::move(made));
       continue;
     }

@@ -37,7 +37,7 @@ std::vector<bool> are_buildings_in(const Eigen::AlignedBox2d& area,
                                    const LocalFrame& frame) {
   const Eigen::Vector3d unit_m = unit_m_of(set);
   std::vector<Eigen::AlignedBox2d> outlines(set.model->buildings.size());
-  for (const io::ModelFace& face : set.model->faces) {
+  for (const Face& face : set.model->faces) {
     for (const Ring& ring : face.rings) {
       for (const Eigen::Vector3d& x : ring) {
         outlines[face.building].extend(

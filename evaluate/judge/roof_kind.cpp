@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/judge/roof_kind.h"
 
-#include "reconstruct/geometry/roof_edge.h"
+#include "reconstruct/geometry/faces/roof_edge.h"
 
 #include <tuple>
 #include <vector>

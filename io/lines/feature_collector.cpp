@@ -2,7 +2,7 @@
 #include "io/lines/feature_collector.h"
 
 #include "io/lines/model_edges.h"
-#include "io/models/face_geometry.h"
+#include "reconstruct/geometry/faces/face_geometry.h"
 
 #include <fmt/format.h>
 
@@ -56,8 +56,8 @@ class NewEdges {
 };
 
 /// Rings of vector files repeat their first vertex.
-ModelFace face_of(const std::vector<Vertices>& rings) {
-  ModelFace face;
+Face face_of(const std::vector<Vertices>& rings) {
+  Face face;
   for (const Vertices& ring : rings) {
     const bool is_closed = ring.size() > 1 && ring.front() == ring.back();
     face.rings.emplace_back(ring.begin(), ring.end() - (is_closed ? 1 : 0));

@@ -2,9 +2,9 @@
 #include "io/lines/mesh_edges.h"
 
 #include "io/lines/model_edges.h"
-#include "io/models/face_geometry.h"
-#include "io/models/face_seams.h"
 #include "reconstruct/geometry/disjoint_sets.h"
+#include "reconstruct/geometry/faces/face_geometry.h"
+#include "reconstruct/geometry/faces/face_seams.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <algorithm>
@@ -45,13 +45,13 @@ BuildingModel model_of(const PolygonMesh& mesh) {
   BuildingModel model;
   for (const IndexList& polygon : mesh.polygons) {
     const auto place_of = [&](std::size_t i) { return mesh.vertices[i]; };
-    model.faces.push_back({{transformed(polygon, place_of)}, SurfaceKind::kUnknown, 0, ""});
+    model.faces.push_back({{transformed(polygon, place_of)}, FaceKind::kUnknown, 0, ""});
   }
   return model;
 }
 
 /// Names of what hangs together, for each face.
-std::vector<std::string> connected_parts(const std::vector<ModelFace>& faces) {
+std::vector<std::string> connected_parts(const std::vector<Face>& faces) {
   DisjointSets parts(faces.size());
   for (const FaceSeam& seam : seams_of(faces))
     for (const std::size_t face : seam.faces) parts.join(seam.faces[0], face);
@@ -76,7 +76,7 @@ void divide(const std::vector<std::string>& names, BuildingModel& model) {
 }
 
 bool has_walls(const BuildingModel& model) {
-  return std::ranges::any_of(model.faces, [](const ModelFace& face) {
+  return std::ranges::any_of(model.faces, [](const Face& face) {
     const auto plane = plane_of(face);
     return plane && is_wall(*plane);
   });

@@ -19,8 +19,8 @@ namespace {
 /// The median of one coordinate over the first vertices of the faces, which a few stray faces do
 /// not move.
 double median_of(const BuildingModel& model, int axis) {
-  return upper_median(transformed(
-      model.faces, [&](const ModelFace& face) { return double{face.rings[0][0][axis]}; }));
+  return upper_median(
+      transformed(model.faces, [&](const Face& face) { return double{face.rings[0][0][axis]}; }));
 }
 
 bool has_north_first(PJ_CONTEXT* context, const PJ* crs) {
@@ -68,7 +68,7 @@ class AreaOfUse {
 };
 
 void swap_plan(BuildingModel& model) {
-  for (ModelFace& face : model.faces) {
+  for (Face& face : model.faces) {
     for (Ring& ring : face.rings) {
       for (Eigen::Vector3d& vertex : ring) std::swap(vertex.x(), vertex.y());
     }

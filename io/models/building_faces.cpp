@@ -2,8 +2,8 @@
 #include "io/models/building_faces.h"
 
 #include "io/error.h"
-#include "io/models/face_geometry.h"
 #include "io/models/lod.h"
+#include "reconstruct/geometry/faces/face_geometry.h"
 
 #include <algorithm>
 #include <array>
@@ -103,13 +103,13 @@ class FaceChoice {
   std::set<std::pair<std::size_t, Outline>> outlines_;  ///< with the part that they are of
 };
 
-std::size_t num_vertices(const ModelFace& face) {
+std::size_t num_vertices(const Face& face) {
   std::size_t n = 0;
   for (const Ring& ring : face.rings) n += ring.size();
   return n;
 }
 
-void reverse_rings(ModelFace& face) {
+void reverse_rings(Face& face) {
   for (Ring& ring : face.rings) std::ranges::reverse(ring);
 }
 
@@ -134,8 +134,8 @@ void append_faces(const GmlSurfaces& surfaces,
   for (const FaceChoice::Chosen& chosen : choice.take()) {
     const GmlSurface& surface = surfaces.surfaces()[chosen.surface];
     const GeometryProperty& property = *chosen.property;
-    ModelFace face{surface.rings, property.kind, building,
-                   surface.id.empty() ? property.surface_id : surface.id};
+    Face face{surface.rings, property.kind, building,
+              surface.id.empty() ? property.surface_id : surface.id};
     if (chosen.is_reversed) reverse_rings(face);
     model.faces.push_back(std::move(face));
   }
@@ -155,7 +155,7 @@ void resolve(const std::vector<OpenReference>& open, BuildingModel& model) {
       model.left_out.add(kOpenReference);
       continue;
     }
-    ModelFace face = model.faces[found->second];
+    Face face = model.faces[found->second];
     const std::size_t n_vertices = num_vertices(face);
     // a face is shared by two buildings, so copies have fewer vertices than the file
     if (n_vertices > n_vertices_left) {
@@ -163,10 +163,10 @@ void resolve(const std::vector<OpenReference>& open, BuildingModel& model) {
     }
     n_vertices_left -= n_vertices;
     face.building = reference.building;
-    if (reference.kind != SurfaceKind::kUnknown) face.kind = reference.kind;
+    if (reference.kind != FaceKind::kUnknown) face.kind = reference.kind;
     model.faces.push_back(std::move(face));
   }
-  std::ranges::stable_sort(model.faces, {}, &ModelFace::building);
+  std::ranges::stable_sort(model.faces, {}, &Face::building);
 }
 
 }  // namespace ridgeline::io

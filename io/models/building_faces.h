@@ -13,7 +13,7 @@ namespace ridgeline::io {
 /// A property that holds a geometry, <lod2Solid> for example.
 struct GeometryProperty {
   int lod = 0;
-  SurfaceKind kind = SurfaceKind::kUnknown;
+  FaceKind kind = FaceKind::kUnknown;
   std::string surface_id;  ///< gml:id of the RoofSurface, WallSurface, ... that it is of
   bool is_thematic =
       false;  ///< it is of a RoofSurface, WallSurface, ..., not of the building itself
@@ -27,7 +27,7 @@ struct GeometryProperty {
 struct OpenReference {
   std::string id;
   std::size_t building = 0;
-  SurfaceKind kind = SurfaceKind::kUnknown;
+  FaceKind kind = FaceKind::kUnknown;
 };
 
 /// Appends the faces of the last building of a model, and gives the building its level of detail.

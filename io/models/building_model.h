@@ -4,30 +4,12 @@
 #include "io/crs/crs.h"
 #include "io/gdal/attribute_table.h"
 #include "io/text/kind_counts.h"
-#include "reconstruct/geometry/ring.h"
+#include "reconstruct/geometry/faces/face.h"
 
-#include <Eigen/Core>
-
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace ridgeline::io {
-
-/// What a model says that a face is. Interior surfaces, openings and the like are kOther.
-enum class SurfaceKind : std::uint8_t { kUnknown, kRoof, kWall, kGround, kOther };
-
-/// A flat face of a building.
-struct ModelFace {
-  std::vector<Ring> rings;  ///< the outer one, then holes, in the coordinates of the file
-  SurfaceKind kind = SurfaceKind::kUnknown;
-  std::size_t building = 0;  ///< place in BuildingModel::buildings
-  std::string id;            ///< of the surface, if the file gives it one; may be empty
-};
 
 /// A building with all of its parts.
 struct Building {
@@ -41,7 +23,8 @@ struct BuildingModel {
   std::string format;  ///< "CityJSON 1.1", "CityGML 2.0", ...
   Crs crs;
   std::vector<Building> buildings;  ///< in the order of the file; those without faces stay
-  std::vector<ModelFace> faces;     ///< in the order of the file
+  /// In the order of the file and in its coordinates; Face::building is an index of `buildings`.
+  std::vector<Face> faces;
   AttributeTable
       attributes;       ///< what the file states of its buildings; row i is that of buildings[i]
   KindCounts left_out;  ///< what the file holds beside faces of buildings, and faces that are none

@@ -72,17 +72,17 @@ std::optional<int> lod_of(std::string_view local) {
   return local[3] - '0';
 }
 
-SurfaceKind kind_of_geometry(std::string_view local) {
-  if (local.ends_with("FootPrint")) return SurfaceKind::kGround;
-  if (local.ends_with("RoofEdge")) return SurfaceKind::kOther;  // a level outline at the eaves
-  return SurfaceKind::kUnknown;
+FaceKind kind_of_geometry(std::string_view local) {
+  if (local.ends_with("FootPrint")) return FaceKind::kGround;
+  if (local.ends_with("RoofEdge")) return FaceKind::kOther;  // a level outline at the eaves
+  return FaceKind::kUnknown;
 }
 
-SurfaceKind kind_of_surface(std::string_view local) {
-  if (local == "RoofSurface") return SurfaceKind::kRoof;
-  if (local == "WallSurface") return SurfaceKind::kWall;
-  if (local == "GroundSurface") return SurfaceKind::kGround;
-  return SurfaceKind::kOther;
+FaceKind kind_of_surface(std::string_view local) {
+  if (local == "RoofSurface") return FaceKind::kRoof;
+  if (local == "WallSurface") return FaceKind::kWall;
+  if (local == "GroundSurface") return FaceKind::kGround;
+  return FaceKind::kOther;
 }
 
 ColumnType type_of_attribute(std::string_view local) {

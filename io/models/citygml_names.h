@@ -37,11 +37,11 @@ Property property_of(const XmlName& name);
 std::optional<int> lod_of(std::string_view local);
 
 /// What a geometry of a building is by its property: the ground for a footprint.
-SurfaceKind kind_of_geometry(std::string_view local);
+FaceKind kind_of_geometry(std::string_view local);
 
 /// What a thematic surface is: kRoof for "RoofSurface", kOther for those that are neither roof nor
 /// wall nor ground.
-SurfaceKind kind_of_surface(std::string_view local);
+FaceKind kind_of_surface(std::string_view local);
 
 /// The type of what a generic attribute holds: "intAttribute" and "IntAttribute" are integers.
 ColumnType type_of_attribute(std::string_view local);

@@ -52,12 +52,12 @@ enum class ElementRole : std::uint8_t {
 struct Element {
   ElementRole role = ElementRole::kSkipped;
   std::string name;
-  std::string surface_id;                    ///< of a surface
-  SurfaceKind kind = SurfaceKind::kUnknown;  ///< of the faces in it
-  bool is_top = false;                       ///< the building itself, not a part or an installation
-  bool is_thematic = false;                  ///< see GeometryProperty
-  bool is_extra = false;                     ///< see GeometryProperty
-  bool is_property = false;                  ///< the geometry property itself
+  std::string surface_id;              ///< of a surface
+  FaceKind kind = FaceKind::kUnknown;  ///< of the faces in it
+  bool is_top = false;                 ///< the building itself, not a part or an installation
+  bool is_thematic = false;            ///< see GeometryProperty
+  bool is_extra = false;               ///< see GeometryProperty
+  bool is_property = false;            ///< the geometry property itself
   std::size_t part = 0;
 };
 
@@ -137,12 +137,12 @@ class CityGmlReader {
         return begin_surface(element, attributes, citygml::kind_of_surface(name.local));
       case kToOpening:
         element.is_extra = true;
-        return begin_surface(element, attributes, SurfaceKind::kOther);
+        return begin_surface(element, attributes, FaceKind::kOther);
       case kToPart:
         return begin_part(element);
       case kToInstallation:
         element.is_extra = true;
-        element.kind = SurfaceKind::kOther;
+        element.kind = FaceKind::kOther;
         return begin_part(element);
       case kToInside:
         return skip_object(name);
@@ -204,7 +204,7 @@ class CityGmlReader {
     return ElementRole::kSkipped;
   }
 
-  ElementRole begin_surface(Element& element, const XmlAttributes& attributes, SurfaceKind kind) {
+  ElementRole begin_surface(Element& element, const XmlAttributes& attributes, FaceKind kind) {
     element.kind = kind;
     element.surface_id = attributes.value("id", kGmlSpace);
     element.is_thematic = true;
@@ -259,7 +259,7 @@ class CityGmlReader {
 
   ElementRole begin_geometry(const Element& owner, Element& element) {
     element.is_property = true;
-    if (!owner.is_thematic && owner.kind == SurfaceKind::kUnknown)
+    if (!owner.is_thematic && owner.kind == FaceKind::kUnknown)
       element.kind = citygml::kind_of_geometry(element.name);
     GeometryProperty property;
     property.lod = citygml::lod_of(element.name).value_or(0);

@@ -80,7 +80,7 @@ std::string ring_text(const Ring& ring, const char* role) {
       role, positions);
 }
 
-std::string member_text(const ModelFace& face) {
+std::string member_text(const Face& face) {
   const std::string id = face.id.empty() ? "" : fmt::format(" gml:id=\"{}\"", face.id);
   std::string rings;
   for (std::size_t i = 0; i < face.rings.size(); ++i)
@@ -96,24 +96,24 @@ std::string multi_surface_text(int lod, const std::string& members) {
 }
 
 /// The level of detail of a building's faces; thematic surfaces begin with LoD 2.
-int lod_of_building(const Building& building, std::span<const ModelFace> faces) {
+int lod_of_building(const Building& building, std::span<const Face> faces) {
   const bool has_digit = !building.lod.empty() && building.lod[0] >= '1' && building.lod[0] <= '4';
   const int lod = has_digit ? building.lod[0] - '0' : 2;
-  const bool is_thematic = std::ranges::any_of(
-      faces, [](const ModelFace& face) { return face.kind != SurfaceKind::kUnknown; });
+  const bool is_thematic =
+      std::ranges::any_of(faces, [](const Face& face) { return face.kind != FaceKind::kUnknown; });
   return is_thematic ? std::max(lod, 2) : lod;
 }
 
-std::string faces_text(const Building& building, std::span<const ModelFace> faces) {
+std::string faces_text(const Building& building, std::span<const Face> faces) {
   const int lod = lod_of_building(building, faces);
   std::string members;
-  for (const ModelFace& face : faces) {
-    if (face.kind == SurfaceKind::kUnknown) members += member_text(face);
+  for (const Face& face : faces) {
+    if (face.kind == FaceKind::kUnknown) members += member_text(face);
   }
   std::string text;
   if (!members.empty()) text += multi_surface_text(lod, members) + "\n";
-  for (const ModelFace& face : faces) {
-    if (face.kind == SurfaceKind::kUnknown) continue;
+  for (const Face& face : faces) {
+    if (face.kind == FaceKind::kUnknown) continue;
     text += fmt::format("<bldg:boundedBy><bldg:{0}>{1}</bldg:{0}></bldg:boundedBy>\n",
                         surface_name(face.kind), multi_surface_text(lod, member_text(face)));
   }
@@ -148,7 +148,7 @@ std::string envelope_text(const BuildingModel& model) {
   if (model.faces.empty()) return "";
   Eigen::Vector3d low = model.faces[0].rings[0][0];
   Eigen::Vector3d high = low;
-  for (const ModelFace& face : model.faces) {
+  for (const Face& face : model.faces) {
     for (const Eigen::Vector3d& vertex : face.rings[0]) {
       low = low.cwiseMin(vertex);
       high = high.cwiseMax(vertex);
@@ -175,7 +175,7 @@ BuildingModel with_xml_ids(BuildingModel model) {
     for (int n = 1; !taken.insert(building.id).second; ++n)
       building.id = fmt::format("{}_{}", id, n);
   }
-  for (ModelFace& face : model.faces) {
+  for (Face& face : model.faces) {
     if (face.id.empty()) continue;
     face.id = xml_id(face.id);
     if (!taken.insert(face.id).second) face.id.clear();

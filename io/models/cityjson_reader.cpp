@@ -78,11 +78,11 @@ std::vector<Eigen::Vector3d> vertices_of(const json& list,
   return vertices;
 }
 
-SurfaceKind kind_of_surface(const std::string& type) {
-  if (type == "RoofSurface") return SurfaceKind::kRoof;
-  if (type == "WallSurface") return SurfaceKind::kWall;
-  if (type == "GroundSurface") return SurfaceKind::kGround;
-  return SurfaceKind::kOther;
+FaceKind kind_of_surface(const std::string& type) {
+  if (type == "RoofSurface") return FaceKind::kRoof;
+  if (type == "WallSurface") return FaceKind::kWall;
+  if (type == "GroundSurface") return FaceKind::kGround;
+  return FaceKind::kOther;
 }
 
 /// How deep the list of rings of one face lies in `boundaries`, "MultiSurface" 1; none for a
@@ -257,7 +257,7 @@ class ObjectReader {
                 const json& value,
                 const PlacedGeometry& placed,
                 std::size_t building) {
-    ModelFace face;
+    Face face;
     face.building = building;
     if (value.is_number_unsigned() && surfaces_->is_array() &&
         value.get<std::size_t>() < surfaces_->size()) {

@@ -24,7 +24,7 @@ class VertexList {
   explicit VertexList(const BuildingModel& model) {
     constexpr double kNone = std::numeric_limits<double>::infinity();
     Eigen::Vector3d low = Eigen::Vector3d::Constant(kNone);
-    for (const ModelFace& face : model.faces) {
+    for (const Face& face : model.faces) {
       for (const Ring& ring : face.rings) {
         for (const Eigen::Vector3d& vertex : ring) low = low.cwiseMin(vertex);
       }
@@ -53,7 +53,7 @@ class VertexList {
   std::vector<std::array<long long, 3>> vertices_;
 };
 
-json rings_json(const ModelFace& face, VertexList& vertices) {
+json rings_json(const Face& face, VertexList& vertices) {
   json rings = json::array();
   for (const Ring& ring : face.rings) {
     json indices = json::array();
@@ -64,11 +64,11 @@ json rings_json(const ModelFace& face, VertexList& vertices) {
 }
 
 /// A semantic surface for each face with an id, and one for all faces of a kind without.
-json semantics_json(std::span<const ModelFace> faces) {
+json semantics_json(std::span<const Face> faces) {
   json surfaces = json::array();
   json values = json::array();
-  std::map<std::pair<SurfaceKind, std::string>, std::size_t> places;
-  for (const ModelFace& face : faces) {
+  std::map<std::pair<FaceKind, std::string>, std::size_t> places;
+  for (const Face& face : faces) {
     const char* const type = surface_name(face.kind);
     if (type == nullptr) {
       values.push_back(nullptr);
@@ -85,11 +85,9 @@ json semantics_json(std::span<const ModelFace> faces) {
   return {{"surfaces", std::move(surfaces)}, {"values", std::move(values)}};
 }
 
-json geometry_json(const Building& building,
-                   std::span<const ModelFace> faces,
-                   VertexList& vertices) {
+json geometry_json(const Building& building, std::span<const Face> faces, VertexList& vertices) {
   json boundaries = json::array();
-  for (const ModelFace& face : faces) boundaries.push_back(rings_json(face, vertices));
+  for (const Face& face : faces) boundaries.push_back(rings_json(face, vertices));
   json semantics = semantics_json(faces);
   const bool is_solid = are_closed(faces);
   if (is_solid) {  // of one shell

@@ -25,9 +25,9 @@ long long in_thousandths(double coordinate);
 
 /// Whether the faces are the surface of bodies: each edge of a ring, in thousandths, has its one
 /// counterpart that runs the other way.
-bool are_closed(std::span<const ModelFace> faces);
+bool are_closed(std::span<const Face> faces);
 
 /// "RoofSurface" etc.; null for kUnknown.
-const char* surface_name(SurfaceKind kind);
+const char* surface_name(FaceKind kind);
 
 }  // namespace ridgeline::io

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/models/settle_model.h"
 
-#include "io/models/face_geometry.h"
-#include "io/models/face_kinds.h"
-#include "io/models/united_faces.h"
+#include "reconstruct/geometry/faces/face_geometry.h"
+#include "reconstruct/geometry/faces/face_kinds.h"
+#include "reconstruct/geometry/faces/united_faces.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
@@ -42,14 +42,14 @@ bool has_area(const Ring& ring) {
                              [](const Eigen::Vector3d& x) {
                                return x.allFinite() && x.cwiseAbs().maxCoeff() < kMaxCoordinate;
                              }) &&
-         plane_of({{ring}, SurfaceKind::kUnknown, 0, ""});
+         plane_of({{ring}, FaceKind::kUnknown, 0, ""});
 }
 
 void drop_faces_without_area(BuildingModel& model) {
-  model.left_out.add(kFlatFace, std::erase_if(model.faces, [](const ModelFace& face) {
+  model.left_out.add(kFlatFace, std::erase_if(model.faces, [](const Face& face) {
                        return !has_area(face.rings.front());
                      }));
-  for (ModelFace& face : model.faces)
+  for (Face& face : model.faces)
     std::erase_if(face.rings, [](const Ring& ring) { return !has_area(ring); });
 }
 
@@ -57,8 +57,8 @@ void drop_faces_without_area(BuildingModel& model) {
 /// one level have: the first that states what it is.
 void drop_repeats(BuildingModel& model) {
   std::map<std::pair<std::size_t, Outline>, std::size_t> kept_at;
-  std::vector<ModelFace> kept;
-  for (ModelFace& face : model.faces) {
+  std::vector<Face> kept;
+  for (Face& face : model.faces) {
     const auto [entry, is_new] =
         kept_at.try_emplace({face.building, outline_of(face.rings.front())}, kept.size());
     if (is_new) {
@@ -66,8 +66,8 @@ void drop_repeats(BuildingModel& model) {
       continue;
     }
     model.left_out.add(kRepeatedFace);
-    ModelFace& first = kept[entry->second];
-    if (first.kind == SurfaceKind::kUnknown) first = std::move(face);
+    Face& first = kept[entry->second];
+    if (first.kind == FaceKind::kUnknown) first = std::move(face);
   }
   model.faces = std::move(kept);
 }
@@ -76,12 +76,12 @@ void drop_repeats(BuildingModel& model) {
 
 void settle(BuildingModel& model) {
   make_ids_unique(model.buildings, model.warnings);
-  std::ranges::stable_sort(model.faces, {}, &ModelFace::building);
+  std::ranges::stable_sort(model.faces, {}, &Face::building);
   drop_faces_without_area(model);
   drop_repeats(model);
-  std::vector<ModelFace> settled;
-  for_each_building(model, [&](std::size_t, std::span<const ModelFace> stated) {
-    std::vector<ModelFace> faces(stated.begin(), stated.end());
+  std::vector<Face> settled;
+  for_each_building(model, [&](std::size_t, std::span<const Face> stated) {
+    std::vector<Face> faces(stated.begin(), stated.end());
     state_kinds(faces);
     std::ranges::move(united_faces(std::move(faces)), std::back_inserter(settled));
   });
@@ -90,8 +90,8 @@ void settle(BuildingModel& model) {
 
 void for_each_building(
     const BuildingModel& model,
-    const std::function<void(std::size_t building, std::span<const ModelFace> faces)>& take) {
-  const std::span<const ModelFace> faces = model.faces;
+    const std::function<void(std::size_t building, std::span<const Face> faces)>& take) {
+  const std::span<const Face> faces = model.faces;
   for (std::size_t first = 0; first < faces.size();) {
     const std::size_t building = faces[first].building;
     std::size_t last = first;

@@ -23,6 +23,6 @@ void settle(BuildingModel& model);
 /// buildings without faces.
 void for_each_building(
     const BuildingModel& model,
-    const std::function<void(std::size_t building, std::span<const ModelFace> faces)>& take);
+    const std::function<void(std::size_t building, std::span<const Face> faces)>& take);
 
 }  // namespace ridgeline::io

@@ -30,7 +30,7 @@ std::optional<std::string> code_at_epsg(const PJ* crs) {
 
 void check_faces(const BuildingModel& model) {
   constexpr double kMaxCoordinate = 9e12;  // whose thousandths are exact in a double
-  for (const ModelFace& face : model.faces) {
+  for (const Face& face : model.faces) {
     check(face.building < model.buildings.size(), "write_model: building = ", face.building,
           ", must be that of a building of the model");
     check(!face.rings.empty(), "write_model: a face has no ring");
@@ -53,7 +53,7 @@ BuildingModel with_ids(BuildingModel model) {
     if (id.empty()) id = fmt::format("building_{}", i);
     check(ids.insert(id).second, "write_model: id = ", id, ", must be that of one building");
   }
-  std::ranges::stable_sort(model.faces, {}, &ModelFace::building);
+  std::ranges::stable_sort(model.faces, {}, &Face::building);
   model.attributes.rows.resize(model.buildings.size());
   return model;
 }
@@ -72,13 +72,13 @@ EpsgCodes epsg_codes_of(const Crs& crs) {
 
 long long in_thousandths(double coordinate) { return std::llround(coordinate * 1000.0); }
 
-bool are_closed(std::span<const ModelFace> faces) {
+bool are_closed(std::span<const Face> faces) {
   using Thousandths = std::array<long long, 3>;
   const auto corner = [](const Eigen::Vector3d& x) {
     return Thousandths{in_thousandths(x.x()), in_thousandths(x.y()), in_thousandths(x.z())};
   };
   std::map<std::pair<Thousandths, Thousandths>, int> uses;
-  for (const ModelFace& face : faces) {
+  for (const Face& face : faces) {
     for (const Ring& ring : face.rings) {
       for (std::size_t i = 0; i < ring.size(); ++i)
         ++uses[{corner(ring[i]), corner(ring[(i + 1) % ring.size()])}];
@@ -91,17 +91,17 @@ bool are_closed(std::span<const ModelFace> faces) {
   });
 }
 
-const char* surface_name(SurfaceKind kind) {
+const char* surface_name(FaceKind kind) {
   switch (kind) {
-    case SurfaceKind::kRoof:
+    case FaceKind::kRoof:
       return "RoofSurface";
-    case SurfaceKind::kWall:
+    case FaceKind::kWall:
       return "WallSurface";
-    case SurfaceKind::kGround:
+    case FaceKind::kGround:
       return "GroundSurface";
-    case SurfaceKind::kOther:
+    case FaceKind::kOther:
       return "ClosureSurface";
-    case SurfaceKind::kUnknown:
+    case FaceKind::kUnknown:
       break;
   }
   return nullptr;

@@ -53,9 +53,9 @@ ModelSurvey survey_of(std::uint64_t seed, const ScanCase& scan) {
   ModelSurvey survey{std::vector<RoofBuilding>(scene.buildings.size()),
                      simulate::scan_als(scene, als)};
   std::erase_if(survey.cloud.points, [](const auto& p) { return p.classification == 7; });
-  for (const simulate::SceneFace& face : scene.faces) {
-    RoofBuilding& building = survey.buildings[static_cast<std::size_t>(face.building_id)];
-    const bool is_roof = face.kind == io::SurfaceKind::kRoof;
+  for (const Face& face : scene.faces) {
+    RoofBuilding& building = survey.buildings[face.building];
+    const bool is_roof = face.kind == FaceKind::kRoof;
     (is_roof ? building.faces : building.others)
         .push_back(evaluate::make_roof_face("", face.rings));
   }

@@ -33,7 +33,7 @@ class Models : public Cli {
     for (std::size_t b = 0; b < made.size(); ++b)
       model.attributes.rows[b] = {{0, std::string(b < 2 ? "gable" : "hip")}};
     // The second house is too high.
-    for (io::ModelFace& face : model.faces) {
+    for (Face& face : model.faces) {
       if (face.building != 1) continue;
       for (Ring& ring : face.rings)
         for (Eigen::Vector3d& x : ring) x.z() += kRaised_m;
@@ -162,7 +162,7 @@ TEST_F(Models, LowerRoofsAreJudgedByTheirOwnPlaneAlsoInPieces) {
     const auto add = [&](double x0, double x1, double y0, double y1, double z) {
       Ring ring{{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}};
       for (Eigen::Vector3d& x : ring) x += io::kMadeOrigin;
-      model.faces.push_back({{ring}, io::SurfaceKind::kRoof, 0, ""});
+      model.faces.push_back({{ring}, FaceKind::kRoof, 0, ""});
     };
     add(0, 12, 0, 8, 6);
     for (int i = 0; i < n_pieces; ++i)

@@ -22,16 +22,16 @@ using Corners = std::vector<Eigen::Vector3d>;
 
 constexpr double kFaceTol_m = 1e-5;  // vertices nearer than 1e-6 are merged; Boost rounds to 1e-7
 
-std::vector<SceneFace> faces_of(std::vector<RoofPart> parts) {
+std::vector<Face> faces_of(std::vector<RoofPart> parts) {
   Scene scene;
   add_structure(parts, scene);
   return scene.faces;
 }
 
-std::vector<SceneFace> of_surface(const std::vector<SceneFace>& faces, io::SurfaceKind kind) {
-  std::vector<SceneFace> found;
+std::vector<Face> of_surface(const std::vector<Face>& faces, FaceKind kind) {
+  std::vector<Face> found;
   std::ranges::copy_if(faces, std::back_inserter(found),
-                       [&](const SceneFace& face) { return face.kind == kind; });
+                       [&](const Face& face) { return face.kind == kind; });
   return found;
 }
 
@@ -43,26 +43,26 @@ Eigen::Vector3d area_vector(const Corners& ring) {
   return sum;
 }
 
-double face_area(const SceneFace& face) {
+double face_area(const Face& face) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Corners& ring : face.rings) sum += area_vector(ring);  // holes run the other way
   return 0.5 * sum.norm();
 }
 
-double total_area(const std::vector<SceneFace>& faces) {
+double total_area(const std::vector<Face>& faces) {
   double sum = 0.0;
-  for (const SceneFace& face : faces) sum += face_area(face);
+  for (const Face& face : faces) sum += face_area(face);
   return sum;
 }
 
-std::vector<std::size_t> corner_counts(const std::vector<SceneFace>& faces) {
+std::vector<std::size_t> corner_counts(const std::vector<Face>& faces) {
   std::vector<std::size_t> counts;
-  for (const SceneFace& face : faces) counts.push_back(face.rings[0].size());
+  for (const Face& face : faces) counts.push_back(face.rings[0].size());
   std::ranges::sort(counts);
   return counts;
 }
 
-bool covers(const SceneFace& face, const Eigen::Vector2d& x) {
+bool covers(const Face& face, const Eigen::Vector2d& x) {
   bool inside = false;
   for (const Corners& ring : face.rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -75,13 +75,13 @@ bool covers(const SceneFace& face, const Eigen::Vector2d& x) {
   return inside;
 }
 
-double height_at(const SceneFace& face, const Eigen::Vector2d& x) {
+double height_at(const Face& face, const Eigen::Vector2d& x) {
   const Eigen::Vector3d n = area_vector(face.rings[0]);
   const Eigen::Vector3d& a = face.rings[0][0];
   return a.z() - (n.x() * (x.x() - a.x()) + n.y() * (x.y() - a.y())) / n.z();
 }
 
-double distance_to_border(const SceneFace& face, const Eigen::Vector3d& x) {
+double distance_to_border(const Face& face, const Eigen::Vector3d& x) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Corners& ring : face.rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -107,12 +107,12 @@ Scene village_of_all_types(std::uint64_t seed) {
 TEST(TrueFaces, AGabledHouseHasTwoRoofsFourWallsAndAGround) {
   HouseShape shape;
   shape.pitch_rad = 0.5;
-  const std::vector<SceneFace> faces = faces_of(gabled(shape));
-  const auto roofs = of_surface(faces, io::SurfaceKind::kRoof);
-  const auto walls = of_surface(faces, io::SurfaceKind::kWall);
+  const std::vector<Face> faces = faces_of(gabled(shape));
+  const auto roofs = of_surface(faces, FaceKind::kRoof);
+  const auto walls = of_surface(faces, FaceKind::kWall);
   EXPECT_THAT(corner_counts(roofs), ElementsAre(4U, 4U));
   EXPECT_THAT(corner_counts(walls), ElementsAre(4U, 4U, 5U, 5U));
-  EXPECT_THAT(corner_counts(of_surface(faces, io::SurfaceKind::kGround)), ElementsAre(4U));
+  EXPECT_THAT(corner_counts(of_surface(faces, FaceKind::kGround)), ElementsAre(4U));
   EXPECT_NEAR(total_area(roofs), 12.6 * 9.8 / std::cos(0.5), kFaceTol_m);
   // 1 m of foundation; the gables are triangles of 9 m over 4.5 m tan(0.5)
   EXPECT_NEAR(total_area(walls), 2.0 * (12.0 + 9.0) * 6.0 + 9.0 * 4.5 * std::tan(0.5), kFaceTol_m);
@@ -121,12 +121,12 @@ TEST(TrueFaces, AGabledHouseHasTwoRoofsFourWallsAndAGround) {
 TEST(TrueFaces, ARimHasWallsOnBothSidesAndTheDeckNone) {
   HouseShape shape;
   shape.building_id = 0;
-  const std::vector<SceneFace> faces = faces_of(parapet(shape, 0.3, 0.5));
-  EXPECT_EQ(of_surface(faces, io::SurfaceKind::kRoof).size(), 5U);
-  const auto walls = of_surface(faces, io::SurfaceKind::kWall);
+  const std::vector<Face> faces = faces_of(parapet(shape, 0.3, 0.5));
+  EXPECT_EQ(of_surface(faces, FaceKind::kRoof).size(), 5U);
+  const auto walls = of_surface(faces, FaceKind::kWall);
   EXPECT_EQ(walls.size(), 8U);
   EXPECT_NEAR(total_area(walls), 2.0 * (12.0 + 9.0) * 6.5 + 2.0 * (11.4 + 8.4) * 0.5, kFaceTol_m);
-  const auto grounds = of_surface(faces, io::SurfaceKind::kGround);
+  const auto grounds = of_surface(faces, FaceKind::kGround);
   EXPECT_EQ(grounds.size(), 1U);
   EXPECT_NEAR(total_area(grounds), 12.0 * 9.0, kFaceTol_m);
 }
@@ -134,7 +134,7 @@ TEST(TrueFaces, ARimHasWallsOnBothSidesAndTheDeckNone) {
 TEST(TrueFaces, ARimThatIsTurnedHasNoMoreWalls) {
   std::vector<RoofPart> parts = parapet(HouseShape{}, 0.3, 0.5);
   for (RoofPart& part : parts) part = placed(part, {31.7, 12.3}, 0.7);
-  EXPECT_EQ(of_surface(faces_of(parts), io::SurfaceKind::kWall).size(), 8U);
+  EXPECT_EQ(of_surface(faces_of(parts), FaceKind::kWall).size(), 8U);
 }
 
 TEST(TrueFaces, HousesOfARowHaveAllFourWalls) {
@@ -142,8 +142,8 @@ TEST(TrueFaces, HousesOfARowHaveAllFourWalls) {
   options.roof_types = {RoofType::kRow};
   const Scene scene = make_village(options);
   std::vector<int> num_walls(scene.buildings.size(), 0);
-  for (const SceneFace& face : of_surface(scene.faces, io::SurfaceKind::kWall)) {
-    ++num_walls[static_cast<std::size_t>(face.building_id)];
+  for (const Face& face : of_surface(scene.faces, FaceKind::kWall)) {
+    ++num_walls[face.building];
   }
   EXPECT_THAT(num_walls, testing::Each(4));
   EXPECT_FALSE(num_walls.empty());
@@ -153,19 +153,19 @@ TEST(TrueFaces, ADormerIsCutWhereItEntersTheRoof) {
   HouseShape shape;
   shape.pitch_rad = 0.8;
   std::vector<RoofPart> parts = gabled(shape);
-  const double bare = total_area(of_surface(faces_of(parts), io::SurfaceKind::kWall));
+  const double bare = total_area(of_surface(faces_of(parts), FaceKind::kWall));
   parts.push_back(dormer(shape, Dormer{}));
-  const std::vector<SceneFace> faces = faces_of(parts);
-  const auto roofs = of_surface(faces, io::SurfaceKind::kRoof);
+  const std::vector<Face> faces = faces_of(parts);
+  const auto roofs = of_surface(faces, FaceKind::kRoof);
   EXPECT_EQ(roofs.size(), 4U);
   // two triangles at its sides, and its front with the gable
-  const auto walls = of_surface(faces, io::SurfaceKind::kWall);
+  const auto walls = of_surface(faces, FaceKind::kWall);
   EXPECT_THAT(corner_counts(walls), ElementsAre(3U, 3U, 4U, 4U, 5U, 5U, 5U));
   const double height = 1.2;  // above the roof at the front
   const double front = 2.0 * height + 1.0 * std::tan(0.5);
   const double side = 0.5 * height * height / std::tan(0.8);
   EXPECT_NEAR(total_area(walls) - bare, front + 2.0 * side, kFaceTol_m);
-  EXPECT_EQ(of_surface(faces, io::SurfaceKind::kGround).size(), 1U);
+  EXPECT_EQ(of_surface(faces, FaceKind::kGround).size(), 1U);
 }
 
 TEST(TrueFaces, ChimneysAreLeftOut) {
@@ -195,9 +195,9 @@ TEST(TrueFaces, RoofsAreTheHighestSurfaceOfABuildingAndCoverItOnce) {
           top = std::max(top, -(n.x() * x.x() + n.y() * x.y() + plane.plane.offset()) / n.z());
       }
       std::vector<double> heights;
-      for (const SceneFace& face : scene.faces) {
-        if (face.building_id == building.id && face.kind == io::SurfaceKind::kRoof &&
-            covers(face, x))
+      for (const Face& face : scene.faces) {
+        if (face.building == static_cast<std::size_t>(building.id) &&
+            face.kind == FaceKind::kRoof && covers(face, x))
           heights.push_back(height_at(face, x));
       }
       if (std::isinf(top)) {
@@ -221,8 +221,8 @@ TEST(TrueFaces, TrueLinesAreBordersOfAsManyRoofsAsTheyHavePlanes) {
       ++num_lines;
       for (const double t : {0.01, 0.5, 0.99}) {
         const Eigen::Vector3d x = (1.0 - t) * line.segment.start + t * line.segment.end;
-        const auto num_faces = std::ranges::count_if(scene.faces, [&](const SceneFace& face) {
-          return face.kind == io::SurfaceKind::kRoof && distance_to_border(face, x) < kFaceTol_m;
+        const auto num_faces = std::ranges::count_if(scene.faces, [&](const Face& face) {
+          return face.kind == FaceKind::kRoof && distance_to_border(face, x) < kFaceTol_m;
         });
         EXPECT_GE(num_faces, static_cast<std::ptrdiff_t>(line.plane_ids.size()))
             << name(line.kind) << " of " << line.building_id;
@@ -234,24 +234,24 @@ TEST(TrueFaces, TrueLinesAreBordersOfAsManyRoofsAsTheyHavePlanes) {
 
 TEST(TrueFaces, FacesAreFlatAndLookOutwards) {
   const Scene scene = village_of_all_types(5);
-  for (const SceneFace& face : scene.faces) {
+  for (const Face& face : scene.faces) {
     const Eigen::Vector3d normal = area_vector(face.rings[0]).normalized();
     for (const Corners& ring : face.rings) {
       ASSERT_GE(ring.size(), 3U);
       for (const Eigen::Vector3d& x : ring)
         EXPECT_NEAR(normal.dot(x - face.rings[0][0]), 0.0, kFaceTol_m);
     }
-    if (face.kind == io::SurfaceKind::kRoof) {
+    if (face.kind == FaceKind::kRoof) {
       EXPECT_GT(normal.z(), 0.5);
     }
-    if (face.kind == io::SurfaceKind::kGround) {
+    if (face.kind == FaceKind::kGround) {
       EXPECT_LT(normal.z(), -0.999);
     }
-    if (face.kind == io::SurfaceKind::kWall) {
+    if (face.kind == FaceKind::kWall) {
       EXPECT_NEAR(normal.z(), 0.0, kFaceTol_m);
     }
   }
-  EXPECT_TRUE(std::ranges::is_sorted(scene.faces, {}, &SceneFace::building_id));
+  EXPECT_TRUE(std::ranges::is_sorted(scene.faces, {}, &Face::building));
 }
 
 TEST(TrueModel, IsTheSceneOnTheMap) {

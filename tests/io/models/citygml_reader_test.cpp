@@ -98,15 +98,15 @@ class CityGml : public ::testing::Test {
   TempFolder folder_;
 };
 
-std::vector<SurfaceKind> kinds_of(const BuildingModel& model) {
-  std::vector<SurfaceKind> kinds;
-  for (const ModelFace& face : model.faces) kinds.push_back(face.kind);
+std::vector<FaceKind> kinds_of(const BuildingModel& model) {
+  std::vector<FaceKind> kinds;
+  for (const Face& face : model.faces) kinds.push_back(face.kind);
   return kinds;
 }
 
 std::vector<std::string> ids_of(const BuildingModel& model) {
   std::vector<std::string> ids;
-  for (const ModelFace& face : model.faces) ids.push_back(face.id);
+  for (const Face& face : model.faces) ids.push_back(face.id);
   return ids;
 }
 
@@ -134,8 +134,8 @@ TEST_F(CityGml, SurfacesOfVersion2HaveTheirKindAndTheSolidThatNamesThemAddsNothi
   ASSERT_EQ(model.buildings.size(), 1U);
   EXPECT_EQ(model.buildings[0].id, "B1");
   EXPECT_EQ(model.buildings[0].lod, "2");
-  EXPECT_THAT(kinds_of(model), ElementsAre(SurfaceKind::kRoof, SurfaceKind::kWall,
-                                           SurfaceKind::kGround, SurfaceKind::kOther));
+  EXPECT_THAT(kinds_of(model),
+              ElementsAre(FaceKind::kRoof, FaceKind::kWall, FaceKind::kGround, FaceKind::kOther));
   EXPECT_THAT(ids_of(model), ElementsAre("p1", "p2", "p3", "p4"));
   EXPECT_THAT(model.faces[0].rings, ElementsAre(Ring{{0, 0, 3}, {4, 0, 3}, {2, 2, 5}}));
   EXPECT_TRUE(model.left_out.empty()) << model.left_out.text();
@@ -157,7 +157,7 @@ TEST_F(CityGml, SurfacesOfVersion3AreRead) {
       read(city_3("<cityObjectMember><h:Building gml:id=\"B\">" + attribute + roof +
                   "<h:roofType>1030</h:roofType></h:Building></cityObjectMember>"));
   EXPECT_EQ(model.format, "CityGML 3.0");
-  EXPECT_THAT(kinds_of(model), ElementsAre(SurfaceKind::kRoof));
+  EXPECT_THAT(kinds_of(model), ElementsAre(FaceKind::kRoof));
   EXPECT_THAT(ids_of(model), ElementsAre("r"));  // the polygon has none
   EXPECT_THAT(model.faces[0].rings, ElementsAre(Ring{{0, 0, 3}, {4, 0, 3}, {2, 2, 5}}));
   EXPECT_EQ(attributes_of(model, 0),
@@ -167,7 +167,7 @@ TEST_F(CityGml, SurfacesOfVersion3AreRead) {
 TEST_F(CityGml, ASolidOfItsOwnHasUnknownFaces) {
   const BuildingModel model = read(city_2(building_2("B", solid_2(polygon_2("p", kRoofText), 1))));
   EXPECT_EQ(model.buildings[0].lod, "1");
-  EXPECT_THAT(kinds_of(model), ElementsAre(SurfaceKind::kUnknown));
+  EXPECT_THAT(kinds_of(model), ElementsAre(FaceKind::kUnknown));
 }
 
 TEST_F(CityGml, ASurfaceThatNamesPolygonsOfTheSolidGivesThemItsKind) {
@@ -175,7 +175,7 @@ TEST_F(CityGml, ASurfaceThatNamesPolygonsOfTheSolidGivesThemItsKind) {
       city_2(building_2("B", surface_2("RoofSurface", "r", reference_2("p")) +
                                  solid_2(polygon_2("p", kRoofText) + polygon_2("q", kWallText)))));
   EXPECT_THAT(ids_of(model), ElementsAre("p", "q"));
-  EXPECT_THAT(kinds_of(model), ElementsAre(SurfaceKind::kRoof, SurfaceKind::kUnknown));
+  EXPECT_THAT(kinds_of(model), ElementsAre(FaceKind::kRoof, FaceKind::kUnknown));
 }
 
 TEST_F(CityGml, AReferenceMayNameASurfaceOfSeveralPolygons) {
@@ -185,7 +185,7 @@ TEST_F(CityGml, AReferenceMayNameASurfaceOfSeveralPolygons) {
   const BuildingModel model = read(city_2(
       building_2("B", surface_2("RoofSurface", "r", reference_2("all")) + solid_2(composite))));
   EXPECT_THAT(ids_of(model), ElementsAre("p", "q"));
-  EXPECT_THAT(kinds_of(model), ElementsAre(SurfaceKind::kRoof, SurfaceKind::kRoof));
+  EXPECT_THAT(kinds_of(model), ElementsAre(FaceKind::kRoof, FaceKind::kRoof));
   EXPECT_TRUE(model.left_out.empty()) << model.left_out.text();
 }
 
@@ -230,7 +230,7 @@ TEST_F(CityGml, AWallOfANeighbourMayBeNamed) {
                   building_2("C", solid_2(reference_2("nowhere")))));
   EXPECT_THAT(ids_of(model), ElementsAre("a", "b1", "b1"));
   EXPECT_EQ(model.faces[1].building, 0U);
-  EXPECT_EQ(model.faces[1].kind, SurfaceKind::kWall);
+  EXPECT_EQ(model.faces[1].kind, FaceKind::kWall);
   EXPECT_EQ(model.faces[2].building, 1U);
   EXPECT_EQ(model.left_out.text(), "1 reference to a missing surface");
 }
@@ -296,8 +296,7 @@ TEST_F(CityGml, OpeningsAndInstallationsAreReadButDoNotDecideTheLevel) {
   EXPECT_THAT(ids_of(read(city_2(building_2("B", wall(3))))), ElementsAre("wall", "w3"));
   const BuildingModel model = read(city_2(building_2("B", wall(2) + dormer)));
   EXPECT_THAT(ids_of(model), ElementsAre("wall", "box", "dormer"));
-  EXPECT_THAT(kinds_of(model),
-              ElementsAre(SurfaceKind::kWall, SurfaceKind::kOther, SurfaceKind::kRoof));
+  EXPECT_THAT(kinds_of(model), ElementsAre(FaceKind::kWall, FaceKind::kOther, FaceKind::kRoof));
 }
 
 TEST_F(CityGml, HolesTrianglesAndTurnedSurfacesAreRead) {

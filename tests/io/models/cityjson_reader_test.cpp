@@ -57,9 +57,9 @@ TEST(CityJson, GivesFacesInTheCoordinatesOfTheWorldWithWhatTheyAre) {
   EXPECT_EQ(model.buildings[0].id, "h1");
   EXPECT_EQ(model.buildings[0].lod, "2.2");
   ASSERT_EQ(model.faces.size(), 7U);
-  using enum SurfaceKind;
-  std::vector<SurfaceKind> kinds;
-  for (const ModelFace& face : model.faces) kinds.push_back(face.kind);
+  using enum FaceKind;
+  std::vector<FaceKind> kinds;
+  for (const Face& face : model.faces) kinds.push_back(face.kind);
   EXPECT_THAT(kinds, testing::ElementsAre(kRoof, kRoof, kWall, kWall, kWall, kUnknown, kGround));
   const Ring& ring = model.faces[0].rings[0];
   ASSERT_EQ(ring.size(), 4U);

@@ -24,12 +24,12 @@ inline BuildingModel model_of(std::span<const test::MadeBuilding> buildings, boo
     model.buildings.push_back({std::to_string(number + 1), "2"});
     model.attributes.rows.emplace_back();
     for (const test::MadeFace& made_face : made.faces) {
-      ModelFace face;
+      Face face;
       face.building = number;
       if (states_kinds) {
-        face.kind = made_face.kind == test::MadeSurface::kRoof   ? SurfaceKind::kRoof
-                    : made_face.kind == test::MadeSurface::kWall ? SurfaceKind::kWall
-                                                                 : SurfaceKind::kGround;
+        face.kind = made_face.kind == test::MadeSurface::kRoof   ? FaceKind::kRoof
+                    : made_face.kind == test::MadeSurface::kWall ? FaceKind::kWall
+                                                                 : FaceKind::kGround;
       }
       for (Ring ring : made_face.rings) {
         for (Eigen::Vector3d& x : ring) x += kMadeOrigin;

@@ -15,15 +15,15 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-ModelFace bare_face(const Ring& ring, SurfaceKind kind = SurfaceKind::kUnknown) {
+Face bare_face(const Ring& ring, FaceKind kind = FaceKind::kUnknown) {
   return {{ring}, kind, 0, ""};
 }
 
-ModelFace level(double x0, double x1, double y0, double y1, double z = 3.0) {
+Face level(double x0, double x1, double y0, double y1, double z = 3.0) {
   return bare_face({{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}});
 }
 
-BuildingModel settled(std::vector<ModelFace> faces) {
+BuildingModel settled(std::vector<Face> faces) {
   BuildingModel model;
   model.buildings = {{"1", ""}};
   model.faces = std::move(faces);
@@ -31,19 +31,19 @@ BuildingModel settled(std::vector<ModelFace> faces) {
   return model;
 }
 
-std::vector<SurfaceKind> settled_kinds(const BuildingModel& model) {
-  std::vector<SurfaceKind> kinds;
-  for (const ModelFace& face : model.faces) kinds.push_back(face.kind);
+std::vector<FaceKind> settled_kinds(const BuildingModel& model) {
+  std::vector<FaceKind> kinds;
+  for (const Face& face : model.faces) kinds.push_back(face.kind);
   return kinds;
 }
 
 double area_of(const Ring& ring) { return area_vector(ring).norm(); }
 
 TEST(SettleModel, AFaceBelowAnotherIsTheGround) {
-  std::vector<ModelFace> faces{bare_face({{0, 0, 0}, {0, 9, 0}, {9, 9, 0}, {9, 0, 0}}),
-                               bare_face({{0, 0, 3}, {9, 0, 3}, {9, 9, 5}, {0, 9, 5}}),
-                               bare_face({{0, 0, 0}, {9, 0, 0}, {9, 0, 3}, {0, 0, 3}})};
-  using enum SurfaceKind;
+  std::vector<Face> faces{bare_face({{0, 0, 0}, {0, 9, 0}, {9, 9, 0}, {9, 0, 0}}),
+                          bare_face({{0, 0, 3}, {9, 0, 3}, {9, 9, 5}, {0, 9, 5}}),
+                          bare_face({{0, 0, 0}, {9, 0, 0}, {9, 0, 3}, {0, 0, 3}})};
+  using enum FaceKind;
   EXPECT_THAT(settled_kinds(settled(faces)), ElementsAre(kGround, kRoof, kWall));
   faces[0].kind = kOther;
   EXPECT_THAT(settled_kinds(settled(faces)), ElementsAre(kOther, kRoof, kWall));
@@ -52,14 +52,14 @@ TEST(SettleModel, AFaceBelowAnotherIsTheGround) {
 TEST(SettleModel, TrianglesOfAPlaneAreOneFaceThatTurnsAsTheyDo) {
   // A fan about a corner of a square of 6 m.
   const Ring corners{{0, 0, 3}, {6, 0, 3}, {6, 3, 3}, {6, 6, 3}, {3, 6, 3}, {0, 6, 3}};
-  std::vector<ModelFace> fan;
+  std::vector<Face> fan;
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
     fan.push_back(bare_face({corners[0], corners[i], corners[i + 1]}));
   const BuildingModel model = settled(fan);
   ASSERT_EQ(model.faces.size(), 1U);
   ASSERT_EQ(model.faces[0].rings.size(), 1U);
   EXPECT_DOUBLE_EQ(area_vector(model.faces[0].rings[0]).z(), 36.0);
-  for (ModelFace& face : fan) std::ranges::reverse(face.rings[0]);
+  for (Face& face : fan) std::ranges::reverse(face.rings[0]);
   EXPECT_DOUBLE_EQ(area_vector(settled(fan).faces[0].rings[0]).z(), -36.0);
 }
 
@@ -74,9 +74,9 @@ TEST(SettleModel, PiecesAroundAHoleKeepIt) {
 }
 
 TEST(SettleModel, FacesOfOtherKindsPlanesOrPlacesStayApart) {
-  std::vector<ModelFace> faces{level(0, 3, 0, 3), level(3, 6, 0, 3), level(0, 3, 3, 6, 3.1),
-                               level(20, 23, 0, 3)};
-  faces[1].kind = SurfaceKind::kOther;
+  std::vector<Face> faces{level(0, 3, 0, 3), level(3, 6, 0, 3), level(0, 3, 3, 6, 3.1),
+                          level(20, 23, 0, 3)};
+  faces[1].kind = FaceKind::kOther;
   EXPECT_EQ(settled(faces).faces.size(), 4U);
 }
 
@@ -88,7 +88,7 @@ TEST(SettleModel, AVaultIsNoSingleFaceHoweverFineItsStrips) {
     const double angle_rad = (i - 0.5 * kStrips) * kTurn_rad;
     return Eigen::Vector3d(40.0 * std::sin(angle_rad), y, 40.0 * std::cos(angle_rad));
   };
-  std::vector<ModelFace> strips;
+  std::vector<Face> strips;
   for (int i = 0; i < kStrips; ++i)
     strips.push_back(
         bare_face({corner(i, 0.0), corner(i + 1, 0.0), corner(i + 1, 9.0), corner(i, 9.0)}));
@@ -101,13 +101,13 @@ TEST(SettleModel, AnOutlineThatTouchesItselfLeavesThePieces) {
       settled({level(0, 3, 0, 3), level(3, 6, 0, 3), level(6, 9, 0, 3), level(6, 9, 3, 6),
                level(3, 6, 6, 9), level(6, 9, 6, 9), level(0, 3, 3, 6)});
   double area = 0.0;
-  for (const ModelFace& face : model.faces) area += area_of(face.rings[0]);
+  for (const Face& face : model.faces) area += area_of(face.rings[0]);
   EXPECT_DOUBLE_EQ(area, 63.0);
 }
 
 TEST(SettleModel, WhatIsNoFaceIsLeftOutAndCounted) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  ModelFace holed = level(0, 9, 0, 9);
+  Face holed = level(0, 9, 0, 9);
   holed.rings.push_back({{1, 1, 3}, {2, 2, 3}, {1, 1, 3}});
   const BuildingModel model = settled({holed, bare_face({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}),
                                        bare_face({{0, 0, 0}, {1, 0, kNaN}, {2, 2, 2}}),
@@ -138,7 +138,7 @@ TEST(SettleModel, FacesOfABuildingStandTogether) {
   }
   settle(model);
   std::vector<std::pair<std::size_t, std::size_t>> groups;
-  for_each_building(model, [&](std::size_t building, std::span<const ModelFace> faces) {
+  for_each_building(model, [&](std::size_t building, std::span<const Face> faces) {
     groups.emplace_back(building, faces.size());
   });
   EXPECT_THAT(groups, ElementsAre(std::pair(0U, 1U), std::pair(1U, 2U)));

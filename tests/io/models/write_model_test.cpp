@@ -21,18 +21,18 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 /// The faces of a box of 2 m x 3 m x 4 m at `low`, outwards.
-std::vector<ModelFace> box_at(const Eigen::Vector3d& low, std::size_t building) {
+std::vector<Face> box_at(const Eigen::Vector3d& low, std::size_t building) {
   const auto at = [&](double x, double y, double z) -> Eigen::Vector3d {
     return low + Eigen::Vector3d(2.0 * x, 3.0 * y, 4.0 * z);
   };
-  const std::vector<std::pair<SurfaceKind, Ring>> sides{
-      {SurfaceKind::kGround, {at(0, 0, 0), at(0, 1, 0), at(1, 1, 0), at(1, 0, 0)}},
-      {SurfaceKind::kRoof, {at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)}},
-      {SurfaceKind::kWall, {at(0, 0, 0), at(1, 0, 0), at(1, 0, 1), at(0, 0, 1)}},
-      {SurfaceKind::kWall, {at(1, 0, 0), at(1, 1, 0), at(1, 1, 1), at(1, 0, 1)}},
-      {SurfaceKind::kWall, {at(1, 1, 0), at(0, 1, 0), at(0, 1, 1), at(1, 1, 1)}},
-      {SurfaceKind::kWall, {at(0, 1, 0), at(0, 0, 0), at(0, 0, 1), at(0, 1, 1)}}};
-  std::vector<ModelFace> faces;
+  const std::vector<std::pair<FaceKind, Ring>> sides{
+      {FaceKind::kGround, {at(0, 0, 0), at(0, 1, 0), at(1, 1, 0), at(1, 0, 0)}},
+      {FaceKind::kRoof, {at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)}},
+      {FaceKind::kWall, {at(0, 0, 0), at(1, 0, 0), at(1, 0, 1), at(0, 0, 1)}},
+      {FaceKind::kWall, {at(1, 0, 0), at(1, 1, 0), at(1, 1, 1), at(1, 0, 1)}},
+      {FaceKind::kWall, {at(1, 1, 0), at(0, 1, 0), at(0, 1, 1), at(1, 1, 1)}},
+      {FaceKind::kWall, {at(0, 1, 0), at(0, 0, 0), at(0, 0, 1), at(0, 1, 1)}}};
+  std::vector<Face> faces;
   for (const auto& [kind, ring] : sides) faces.push_back({{ring}, kind, building, {}});
   return faces;
 }
@@ -43,13 +43,13 @@ BuildingModel two_boxes() {
   model.crs.definition = "EPSG:25832+7837";
   model.buildings = {{"A", "2.2"}, {"B", "2"}};
   model.faces = box_at({513000.25, 5403000.5, 250.125}, 0);
-  std::vector<ModelFace> open = box_at({513020.0, 5403000.0, -1.0}, 1);
+  std::vector<Face> open = box_at({513020.0, 5403000.0, -1.0}, 1);
   open[1] = {{{{513020.0, 5403000.0, 9.0}, {513029.0, 5403000.0, 9.0}, {513029.0, 5403009.0, 9.0}},
               {{513025.0, 5403001.0, 9.0}, {513026.0, 5403001.0, 9.0}, {513026.0, 5403002.0, 9.0}}},
-             SurfaceKind::kUnknown,
+             FaceKind::kUnknown,
              1,
              "cap"};
-  open[2].kind = SurfaceKind::kOther;
+  open[2].kind = FaceKind::kOther;
   model.faces.insert(model.faces.end(), open.begin(), open.end());
   model.attributes.columns = {{"roof", ColumnType::kText},
                               {"storeys", ColumnType::kInteger64},
@@ -82,7 +82,7 @@ TEST_F(WriteModel, CityGmlIsReadBackAsItWas) {
   EXPECT_EQ(read.buildings[0].id, "A");
   EXPECT_EQ(read.attributes.rows[0], model.attributes.rows[0]);
   ASSERT_EQ(read.faces.size(), model.faces.size());
-  std::vector<ModelFace> expected = model.faces;
+  std::vector<Face> expected = model.faces;
   std::rotate(expected.begin() + 6, expected.begin() + 7,
               expected.begin() + 8);  // unknown faces come first
   for (std::size_t i = 0; i < expected.size(); ++i) {

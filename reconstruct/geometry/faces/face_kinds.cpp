@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/models/face_kinds.h"
+#include "reconstruct/geometry/faces/face_kinds.h"
 
-#include "io/models/face_geometry.h"
 #include "reconstruct/geometry/box_index.h"
+#include "reconstruct/geometry/faces/face_geometry.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <algorithm>
 #include <optional>
 #include <vector>
 
-namespace ridgeline::io {
+namespace ridgeline {
 namespace {
 
 /// A point inside of a face that is not vertical: the middle of the widest stretch of a level cut
 /// through the middle of its ring.
-std::optional<Eigen::Vector3d> inner_point(const ModelFace& face, const Plane3& plane) {
+std::optional<Eigen::Vector3d> inner_point(const Face& face, const Plane3& plane) {
   const auto [low, high] =
       std::ranges::minmax(face.rings.front(), {}, [](const Eigen::Vector3d& x) { return x.y(); });
   const double y = low.y() + 0.4637 * (high.y() - low.y());  // vertices seldom lie there
@@ -40,20 +40,20 @@ std::optional<Eigen::Vector3d> inner_point(const ModelFace& face, const Plane3& 
 
 }  // namespace
 
-void state_kinds(std::span<ModelFace> faces) {
-  const auto planes = transformed(faces, [](const ModelFace& face) { return *plane_of(face); });
+void state_kinds(std::span<Face> faces) {
+  const auto planes = transformed(faces, [](const Face& face) { return *plane_of(face); });
   const auto by_place = BoxIndex2(
-      transformed(faces, [](const ModelFace& face) { return plan_box_of(face.rings.front()); }));
+      transformed(faces, [](const Face& face) { return plan_box_of(face.rings.front()); }));
   std::vector<std::size_t> unknown;
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (faces[i].kind != SurfaceKind::kUnknown) continue;
-    faces[i].kind = is_wall(planes[i]) ? SurfaceKind::kWall : SurfaceKind::kRoof;
-    if (faces[i].kind == SurfaceKind::kRoof) unknown.push_back(i);
+    if (faces[i].kind != FaceKind::kUnknown) continue;
+    faces[i].kind = is_wall(planes[i]) ? FaceKind::kWall : FaceKind::kRoof;
+    if (faces[i].kind == FaceKind::kRoof) unknown.push_back(i);
   }
   const auto is_above = [&](std::size_t i, const Eigen::Vector3d& x) {
     constexpr double kClear = 0.01;
     const double height = height_at(planes[i], x.head<2>());
-    return faces[i].kind == SurfaceKind::kRoof && height > x.z() + kClear &&
+    return faces[i].kind == FaceKind::kRoof && height > x.z() + kClear &&
            is_on_face(faces[i], planes[i], {x.x(), x.y(), height});
   };
   std::vector<std::size_t> ground;
@@ -65,7 +65,7 @@ void state_kinds(std::span<ModelFace> faces) {
                             [&](std::size_t j) { return j != i && is_above(j, *x); }))
       ground.push_back(i);
   }
-  for (const std::size_t i : ground) faces[i].kind = SurfaceKind::kGround;
+  for (const std::size_t i : ground) faces[i].kind = FaceKind::kGround;
 }
 
-}  // namespace ridgeline::io
+}  // namespace ridgeline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/models/face_seams.h"
+#include "reconstruct/geometry/faces/face_seams.h"
 
 #include "reconstruct/geometry/box_index.h"
 
@@ -12,7 +12,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace ridgeline::io {
+namespace ridgeline {
 namespace {
 
 constexpr double kSame = 0.01;  // vertices this near each other are one, in units of the file
@@ -71,7 +71,7 @@ struct SeamPiece {
 
 class Seams {
  public:
-  explicit Seams(std::span<const ModelFace> faces) {
+  explicit Seams(std::span<const Face> faces) {
     for (std::size_t i = 0; i < faces.size(); ++i)
       for (const Ring& ring : faces[i].rings) add_ring(ring, i);
     split_at_nodes();
@@ -188,6 +188,6 @@ class Seams {
 
 }  // namespace
 
-std::vector<FaceSeam> seams_of(std::span<const ModelFace> faces) { return Seams(faces).join(); }
+std::vector<FaceSeam> seams_of(std::span<const Face> faces) { return Seams(faces).join(); }
 
-}  // namespace ridgeline::io
+}  // namespace ridgeline

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/models/face_geometry.h"
+#include "reconstruct/geometry/faces/face_geometry.h"
 
 #include "reconstruct/geometry/degrees.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace ridgeline::io {
+namespace ridgeline {
 namespace {
 
 /// The crossings of a ray in the plane of two axes, to the side of larger u.
@@ -22,7 +22,7 @@ bool is_in_ring(const Ring& ring, const Eigen::Vector3d& x, int u, int v) {
 
 }  // namespace
 
-std::optional<Plane3> plane_of(const ModelFace& face) {
+std::optional<Plane3> plane_of(const Face& face) {
   constexpr double kMinArea_m2 = 1e-6;  // a mm by a mm
   const Ring& ring = face.rings.front();
   const Eigen::Vector3d area = area_vector(ring);
@@ -36,7 +36,7 @@ bool is_wall(const Plane3& plane) {
   return slope_rad(plane) > kMaxRoofSlope_rad;
 }
 
-bool is_on_face(const ModelFace& face, const Plane3& plane, const Eigen::Vector3d& x) {
+bool is_on_face(const Face& face, const Plane3& plane, const Eigen::Vector3d& x) {
   int axis = 0;
   plane.normal().cwiseAbs().maxCoeff(&axis);
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -45,7 +45,7 @@ bool is_on_face(const ModelFace& face, const Plane3& plane, const Eigen::Vector3
   return inside;
 }
 
-std::optional<Eigen::Vector3d> inward_of(const ModelFace& face,
+std::optional<Eigen::Vector3d> inward_of(const Face& face,
                                          const Plane3& plane,
                                          const Segment3& edge) {
   constexpr double kStep = 0.02;
@@ -67,4 +67,4 @@ Outline outline_of(const Ring& ring) {
   return outline;
 }
 
-}  // namespace ridgeline::io
+}  // namespace ridgeline

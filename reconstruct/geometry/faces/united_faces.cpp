@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/models/united_faces.h"
+#include "reconstruct/geometry/faces/united_faces.h"
 
-#include "io/models/face_geometry.h"
-#include "io/models/face_seams.h"
 #include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/disjoint_sets.h"
+#include "reconstruct/geometry/faces/face_geometry.h"
+#include "reconstruct/geometry/faces/face_seams.h"
 #include "reconstruct/geometry/segment.h"
 #include "reconstruct/geometry/transformed.h"
 
@@ -14,7 +14,7 @@
 #include <optional>
 #include <utility>
 
-namespace ridgeline::io {
+namespace ridgeline {
 namespace {
 
 using Corner = std::array<double, 3>;
@@ -49,7 +49,7 @@ std::optional<std::vector<Ring>> rings_of(const std::vector<Segment3>& border) {
 }
 
 /// One face of the pieces, nothing if their outline touches itself.
-std::optional<ModelFace> united(const std::vector<ModelFace>& pieces) {
+std::optional<Face> united(const std::vector<Face>& pieces) {
   std::vector<Segment3> border;
   for (const FaceSeam& seam : seams_of(pieces))
     if (seam.faces.size() == 1) border.push_back(seam.segment);
@@ -62,18 +62,17 @@ std::optional<ModelFace> united(const std::vector<ModelFace>& pieces) {
     const bool runs_on = area_vector((*rings)[i]).dot(normal) > 0.0;
     if (runs_on != (i == 0)) std::ranges::reverse((*rings)[i]);
   }
-  ModelFace face = pieces.front();
+  Face face = pieces.front();
   face.rings = std::move(*rings);
   return face;
 }
 
 /// For each face the number of the first one of its plane that it hangs together with. The first
 /// ones are compared, so that the strips of a vault do not become one face, strip by strip.
-std::vector<std::size_t> regions_of(const std::vector<ModelFace>& faces) {
+std::vector<std::size_t> regions_of(const std::vector<Face>& faces) {
   constexpr double kFlat_rad = 0.5 * kRadPerDeg;  // whole mm turn a face of 0.2 m by that
-  const auto normals = transformed(faces, [](const ModelFace& face) {
-    return Eigen::Vector3d(upward(*plane_of(face)).normal());
-  });
+  const auto normals = transformed(
+      faces, [](const Face& face) { return Eigen::Vector3d(upward(*plane_of(face)).normal()); });
   DisjointSets regions(faces.size());
   for (const FaceSeam& seam : seams_of(faces)) {
     if (seam.faces.size() != 2) continue;
@@ -89,15 +88,15 @@ std::vector<std::size_t> regions_of(const std::vector<ModelFace>& faces) {
 
 }  // namespace
 
-std::vector<ModelFace> united_faces(std::vector<ModelFace> faces) {
+std::vector<Face> united_faces(std::vector<Face> faces) {
   std::map<std::size_t, std::vector<std::size_t>> members;
   const std::vector<std::size_t> regions = regions_of(faces);
   for (std::size_t i = 0; i < faces.size(); ++i) members[regions[i]].push_back(i);
-  std::vector<ModelFace> result;
+  std::vector<Face> result;
   for (const auto& [name, numbers] : members) {
-    std::vector<ModelFace> pieces;
+    std::vector<Face> pieces;
     for (const std::size_t i : numbers) pieces.push_back(std::move(faces[i]));
-    std::optional<ModelFace> whole = pieces.size() > 1 ? united(pieces) : std::nullopt;
+    std::optional<Face> whole = pieces.size() > 1 ? united(pieces) : std::nullopt;
     if (whole)
       result.push_back(std::move(*whole));
     else
@@ -106,4 +105,4 @@ std::vector<ModelFace> united_faces(std::vector<ModelFace> faces) {
   return result;
 }
 
-}  // namespace ridgeline::io
+}  // namespace ridgeline

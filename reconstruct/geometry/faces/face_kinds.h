@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "io/models/building_model.h"
+#include "reconstruct/geometry/faces/face.h"
 
 #include <span>
 
-namespace ridgeline::io {
+namespace ridgeline {
 
 /// Gives the faces of a building that are unknown a kind by geometry, see settle(). All must have a
 /// plane.
-void state_kinds(std::span<ModelFace> faces);
+void state_kinds(std::span<Face> faces);
 
-}  // namespace ridgeline::io
+}  // namespace ridgeline

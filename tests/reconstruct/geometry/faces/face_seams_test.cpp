@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/models/face_seams.h"
+#include "reconstruct/geometry/faces/face_seams.h"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <limits>
 
-namespace ridgeline::io {
+namespace ridgeline {
 namespace {
 
 using testing::ElementsAre;
 
-ModelFace face_of(const Ring& ring) { return {{ring}, SurfaceKind::kUnknown, 0, ""}; }
+Face face_of(const Ring& ring) { return {{ring}, FaceKind::kUnknown, 0, ""}; }
 
 /// Two squares of 10 m beside each other; the second one may have its edge in pieces.
-std::vector<ModelFace> squares(const std::vector<double>& divided_at) {
+std::vector<Face> squares(const std::vector<double>& divided_at) {
   Ring second{{10, 0, 0}, {20, 0, 0}, {20, 10, 0}, {10, 10, 0}};
   for (auto y = divided_at.rbegin(); y != divided_at.rend(); ++y) second.push_back({10, *y, 0});
   return {face_of({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}), face_of(second)};
@@ -41,7 +41,7 @@ TEST(FaceSeams, VerticesWithinAnEdgeOfTheNeighbourDoNotDivideIt) {
 }
 
 TEST(FaceSeams, EndWhereTheNeighbourEnds) {
-  std::vector<ModelFace> faces = squares({});
+  std::vector<Face> faces = squares({});
   for (Eigen::Vector3d& x : faces[1].rings[0]) x.y() += 4.0;
   const auto seams = seams_of(faces);
   ASSERT_EQ(n_common(seams), 1U);
@@ -50,7 +50,7 @@ TEST(FaceSeams, EndWhereTheNeighbourEnds) {
 }
 
 TEST(FaceSeams, VerticesWithinACentimetreAreOne) {
-  std::vector<ModelFace> faces = squares({});
+  std::vector<Face> faces = squares({});
   for (Eigen::Vector3d& x : faces[1].rings[0]) x += Eigen::Vector3d(0.004, -0.003, 0.002);
   EXPECT_EQ(n_common(seams_of(faces)), 1U);
   for (Eigen::Vector3d& x : faces[1].rings[0]) x.z() += 0.02;
@@ -73,7 +73,7 @@ TEST(FaceSeams, BridgeToAHoleIsNone) {
 }
 
 TEST(FaceSeams, CoordinatesFarOffOrNotFiniteAreNoTrouble) {
-  std::vector<ModelFace> faces = squares({});
+  std::vector<Face> faces = squares({});
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   faces.push_back(face_of({{0, 0, 0}, {1e300, 0, 0}, {0, kInfinity, 0}}));
   faces.push_back(face_of({{1e9, 1e9, 0}, {1e9 + 1, 1e9, 0}, {1e9, 1e9 + 1, 0}}));
@@ -82,4 +82,4 @@ TEST(FaceSeams, CoordinatesFarOffOrNotFiniteAreNoTrouble) {
 }
 
 }  // namespace
-}  // namespace ridgeline::io
+}  // namespace ridgeline

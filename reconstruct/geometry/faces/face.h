@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/faces/ring.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ridgeline {
+
+/// What a model states that a face is. Interior surfaces, openings and the like are kOther.
+enum class FaceKind : std::uint8_t { kUnknown, kRoof, kWall, kGround, kOther };
+
+/// A flat face of a building.
+struct Face {
+  std::vector<Ring> rings;  ///< the outer one, then holes
+  FaceKind kind = FaceKind::kUnknown;
+  std::size_t building = 0;  ///< index of its building
+  std::string id;            ///< of the surface, if the file gives it one; may be empty
+};
+
+}  // namespace ridgeline
