@@ -16,7 +16,6 @@
 #include "reconstruct/match/beyond/combine_matches.h"
 #include "reconstruct/match/beyond/extensions.h"
 #include "reconstruct/match/beyond/guided_matches/guided_matches.h"
-#include "reconstruct/match/beyond/height_propagation.h"
 #include "reconstruct/match/ok2011/connect_matches.h"
 #include "reconstruct/match/ok2011/match_pairwise.h"
 #include "reconstruct/registrations.h"
@@ -36,7 +35,6 @@ namespace ridgeline::reconstruct {
 namespace {
 
 /// The name of the matcher of those matches that height propagation adds to `pairwise`.
-constexpr const char* kByHeight = "pairwise_height";
 constexpr const char* kGuided = "guided";
 
 const Surface* address(const std::optional<Surface>& surface) {
@@ -77,24 +75,14 @@ ChioExtensions chio_extensions(const MatchingOptions& options) {
                          match_extensions(options.beyond, options.candidates).look);
 }
 
-/// Beyond the papers: adds the matches that the heights of matched lines make possible to the list.
-void add_by_height(const StereoPair& pair, const MatchingOptions& options, MatchList& list) {
-  add_found(kByHeight,
-            propagate_heights(pair, list.matches, options.chio, options.candidates,
-                              chio_extensions(options), options.beyond),
-            list);
-}
-
 MatchList by_pairs(const StereoPair& pair,
                    const MatchingOptions& options,
                    const std::optional<Surface>& surface) {
   const MatchResult found =
       match_pairwise(pair, options.pairwise, options.candidates,
                      match_extensions(options.beyond, options.candidates, address(surface)));
-  MatchList list{name(Matcher::kPairwise), found_by(name(Matcher::kPairwise), found.matches),
-                 reasons_of(found.outcomes)};
-  if (options.beyond.propagate_heights) add_by_height(pair, options, list);
-  return list;
+  return {name(Matcher::kPairwise), found_by(name(Matcher::kPairwise), found.matches),
+          reasons_of(found.outcomes)};
 }
 
 MatchList list_of(const ChioResult& chio) {

@@ -29,8 +29,6 @@ struct PatchOfRun {
   std::map<Pair, std::string> verdicts;  ///< empty without reference matches
 };
 
-const nlohmann::json::json_pointer kPropagateHeights("/match/propagate_heights");
-
 /// The options in the run.json of a folder; nothing if the file is missing or its options name no
 /// matchers.
 std::optional<nlohmann::json> options_of(const std::string& folder) {
@@ -157,7 +155,7 @@ PatchOfRun read_patch_of_run(const std::string& folder, const std::string& patch
   return run;
 }
 
-/// The matcher of a run: "pairwise", "chio" or "both"; with ", by height" if it propagates heights.
+/// The matcher of a run: "pairwise", "chio" or "both".
 std::string matcher_name(const std::string& folder) {
   const std::string file = (fs::path(folder) / "run.json").string();
   try {
@@ -166,8 +164,7 @@ std::string matcher_name(const std::string& folder) {
     if (names.empty()) {
       throw io::IoError(file, "options.matchers is empty; must have at least one matcher");
     }
-    const bool by_height = names.front() == "pairwise" && options.value(kPropagateHeights, false);
-    return (names.size() > 1 ? "both" : names.front()) + (by_height ? ", by height" : "");
+    return names.size() > 1 ? "both" : names.front();
   } catch (const nlohmann::json::exception& error) {
     throw io::IoError(file, std::string("has no matchers: ") + error.what());
   }
@@ -205,8 +202,7 @@ bool have_different_matchers(const std::vector<std::string>& folders) {
   for (const std::string& folder : folders) {
     const std::optional<nlohmann::json> options = options_of(folder);
     if (!options) return false;
-    settings.insert(options->at("matchers").dump() +
-                    options->value(kPropagateHeights, nlohmann::json()).dump());
+    settings.insert(options->at("matchers").dump());
   }
   return settings.size() > 1;
 }

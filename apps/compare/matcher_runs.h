@@ -8,7 +8,7 @@
 
 namespace ridgeline::apps {
 
-/// Whether the folders come from `run`s that differ in their matchers or height propagation. Such
+/// Whether the folders come from `run`s that differ in their matchers. Such
 /// runs have different lines, which must not be paired by number.
 bool have_different_matchers(const std::vector<std::string>& folders);
 

@@ -103,7 +103,7 @@ std::optional<Eigen::Vector2d> inside_of_border(const io::Line& line,
                                                 const io::BuildingModel& model) {
   if (line.plane_ids.size() != 1) return std::nullopt;
   const Face& face = model.faces[static_cast<std::size_t>(line.plane_ids[0])];
-  const auto inward = io::inward_of(face, *io::plane_of(face), line.segment_in_world);
+  const auto inward = inward_of(face, *plane_of(face), line.segment_in_world);
   if (!inward || inward->head<2>().isZero()) return std::nullopt;
   return inward->head<2>().normalized();
 }

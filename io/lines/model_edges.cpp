@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/lines/model_edges.h"
 
+#include "io/models/settle_model.h"
 #include "reconstruct/geometry/faces/face_edges.h"
 
 #include <fmt/format.h>

@@ -50,15 +50,13 @@ constexpr std::array kExtensions{
     Extension{"separate_edges", "extract", "separate_edges: false"},
     Extension{"soft_edges", "extract", "soft_edges: false"},
     Extension{"matched_radiometry", "match", "matched_radiometry: false"},
-    Extension{"close_lines", "match", "close_lines: false"},
     Extension{"hidden_walls", "match", "hidden_walls: false"},
-    Extension{"propagate_heights", "match", "propagate_heights: false"},
     Extension{"match_surface", "match", "surface: false"},
     Extension{"guided", "match", "guided: false"},
     Extension{"register_profiles", "reconstruct", "register_profiles: false"},
     Extension{"shared_errors", "reconstruct", "shared_errors: false"},
     Extension{"faces_beside", "reconstruct", "faces_beside: false"},
-    Extension{"max_end_sigma_m", "reconstruct", "max_end_sigma_m: 1e6"},
+    Extension{"common_part", "reconstruct", "common_part: false"},
     Extension{"consensus", "reconstruct", "consensus: false, surface: false"},
     Extension{"surface", "reconstruct", "surface: false"},
     Extension{"gable_share", "reconstruct", "gable_share: 0"},
@@ -231,7 +229,7 @@ std::map<std::string, double> run_variants(const std::vector<Variant>& variants,
     const auto result = ridgeline::test::run_program(ridgeline::test::program(), arguments, folder);
     check(result.exit_code == 0, result.err);
     seconds[variant.name] = result.processor_s;
-    std::fprintf(stderr, "%s: %s, %.1f s\n", folder.filename().c_str(), variant.name,
+    std::fprintf(stderr, "%s: %s, %.1f s\n", folder.filename().c_str(), variant.name.c_str(),
                  result.processor_s);
   }
   return seconds;
@@ -379,7 +377,8 @@ Variant variant_of(const std::string& name) {
 /// Throws std::runtime_error for arguments that are not known.
 Plan plan_of(const std::vector<std::string>& arguments) {
   check(!arguments.empty(), "usage: see the head of ablation.cpp");
-  Plan plan{.folder = arguments[0]};
+  Plan plan;
+  plan.folder = arguments[0];
   std::string only;
   for (std::size_t i = 1; i < arguments.size(); ++i) {
     if (arguments[i] == "--held-out") {

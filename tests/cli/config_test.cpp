@@ -55,10 +55,9 @@ TEST_F(Config, PublishedHoldsNothingOfOurs) {
   for (const auto& [group, key] :
        {std::pair("extract", "faint_edges"), std::pair("extract", "junction_cuts"),
         std::pair("extract", "separate_edges"), std::pair("extract", "soft_edges"),
-        std::pair("match", "matched_radiometry"), std::pair("match", "close_lines"),
-        std::pair("match", "hidden_walls"), std::pair("match", "propagate_heights"),
+        std::pair("match", "matched_radiometry"), std::pair("match", "hidden_walls"),
         std::pair("reconstruct", "consensus"), std::pair("reconstruct", "surface"),
-        std::pair("reconstruct", "register_profiles")}) {
+        std::pair("reconstruct", "common_part"), std::pair("reconstruct", "register_profiles")}) {
     EXPECT_EQ(published[group][key].Scalar(), "false") << group << "." << key;
   }
   EXPECT_EQ(published["chio"]["allow_noise"].Scalar(), "false");

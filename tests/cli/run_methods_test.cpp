@@ -84,12 +84,12 @@ TEST_F(RunSample, RunsWithDifferentMatchersAreComparedByWhatTheyFind) {
   }
   const ProgramResult result = run({"compare", "m/pairwise", "m/chio", "m/both", "--out", "cmp"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, AllOf(HasSubstr("\n1      pairwise  pairwise, by height  "),
+  EXPECT_THAT(result.out, AllOf(HasSubstr("\n1      pairwise  pairwise  "),
                                 HasSubstr("\n1      chio      chio  "),
-                                HasSubstr("\n1      both      both, by")));
+                                HasSubstr("\n1      both      both  ")));
   EXPECT_THAT(read(path("cmp/compare.md")),
-              AllOf(HasSubstr("| 1 | pairwise | pairwise, by height |"),
-                    HasSubstr("| 1 | chio | chio |"), HasSubstr("| 1 | both | both, by height |")));
+              AllOf(HasSubstr("| 1 | pairwise | pairwise |"), HasSubstr("| 1 | chio | chio |"),
+                    HasSubstr("| 1 | both | both |")));
   const auto rows = read_json(path("cmp/compare.json"))["rows"];
   ASSERT_EQ(rows.size(), 3U);
   // the list of both loses no match that pairwise has
@@ -107,27 +107,8 @@ TEST_F(RunSample, RunsWithDifferentMatchersAreComparedByWhatTheyFind) {
   EXPECT_THAT(lines.out, HasSubstr("Lines are paired one to one"));
 }
 
-TEST_F(RunPatch, WithoutPropagationPairwiseIsAlone) {
-  write(path("p.yaml"), "match: {propagate_heights: false}\n");
-  ASSERT_EQ(run_patch("out", {"--config", "p.yaml", "--no-report"}).exit_code, 0);
-  EXPECT_THAT(read(path("out/1/matches.csv")), Not(HasSubstr("pairwise_height")));
+TEST_F(RunPatch, RefusesAnUnknownMatcher) {
   EXPECT_REFUSED(run_patch("out", {"--matcher", "other"}), HasSubstr("other"));
-}
-
-TEST_F(RunSample, TheListOfBothMatchersTellsWhichMatchesCameByHeight) {
-  ASSERT_EQ(run_patch("one", {"--no-report"}).exit_code, 0);
-  ASSERT_EQ(run_patch("both", {"--no-report", "--matcher", "pairwise,chio"}).exit_code, 0);
-  const auto count = [&](const char* file) {
-    const std::string text = read(path(file));
-    std::size_t n = 0;
-    for (auto at = text.find("pairwise_height"); at != std::string::npos;
-         at = text.find("pairwise_height", at + 1)) {
-      ++n;
-    }
-    return n;
-  };
-  ASSERT_GT(count("one/1/matches.csv"), 0U);
-  EXPECT_EQ(count("both/1/matches.csv"), count("one/1/matches.csv"));
 }
 
 TEST_F(RunSample, MethodsDifferOnAlignedLinesOnlyUnlessFacesAdjustThem) {

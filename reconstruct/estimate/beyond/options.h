@@ -10,9 +10,9 @@ namespace ridgeline::reconstruct {
 
 /// The options of the extensions of the estimation; see estimate_extensions().
 struct EstimateExtensionOptions {
-  /// A not_aligned line whose end is less certain than this (height) is given between the ends of
-  /// the right segment, because its left segment continues far beyond a short right one.
-  double max_end_sigma_m = 0.5;
+  /// A line of two images is the part that both show, as a line of more images is the part that two
+  /// of them show. Where only one segment goes on, the other image has no evidence of its height.
+  bool common_part = true;
   /// Right segments of not_aligned matches are moved to where the right image shows what lies under
   /// the left ones, by the colour profiles across the lines. See compare_profiles().
   bool register_profiles = true;
@@ -33,7 +33,7 @@ struct EstimateExtensionOptions {
   [[nodiscard]] constexpr bool adjusts_to_faces() const { return surface && faces_beside; }
 
   static constexpr EstimateExtensionOptions none() {
-    return {.max_end_sigma_m = 1e6,
+    return {.common_part = false,
             .register_profiles = false,
             .shared_errors = false,
             .consensus = false,
@@ -44,8 +44,10 @@ struct EstimateExtensionOptions {
   static constexpr auto fields() {
     using O = EstimateExtensionOptions;
     return std::tuple{
-        Field{"max_end_sigma_m", &O::max_end_sigma_m, 0.0, 1e6,
-              "above this sigma of an end, a line uses the segment ends of the second image"},
+        Field{
+            "common_part", &O::common_part, false, true,
+            "a line of two images ends where either of them ends it; off: at the ends of the base "
+            "segment, as published"},
         Field{"register_profiles", &O::register_profiles, false, true,
               "not_aligned: shift the edge in the second image to align the profiles across it"},
         Field{"shared_errors", &O::shared_errors, false, true,

@@ -43,16 +43,6 @@ Segment3 local_from_conditioned(const ObjectConditioning& object, const Segment3
   return {object.local_from_conditioned(s.start), object.local_from_conditioned(s.end)};
 }
 
-/// Whether the ends of the base segment lie so far beyond a short other segment that the line is no
-/// longer known there, while it is better known between the ends of that.
-bool is_extrapolated(const UncertainSegment3& base,
-                     const UncertainSegment3& other,
-                     double scale_m,
-                     double max_end_sigma_m) {
-  const double sigma_m = scale_m * largest_sigma_z_m(base.cov);
-  return sigma_m > max_end_sigma_m && scale_m * largest_sigma_z_m(other.cov) < sigma_m;
-}
-
 UncertainSegment3 joined(const UncertainLine3& line, const Endpoint& start, const Endpoint& end) {
   Matrix6d jacobian;
   jacobian << start.jacobian, end.jacobian;
@@ -82,8 +72,7 @@ Endpoint end_of_two_views(std::vector<EndReach> by_view) {
   return by_view[by_view.size() / 2].end;
 }
 
-/// The part of a line with three observations or more that two views show; nothing if no part is
-/// shown by two.
+/// The part of a line that two views show; nothing if no part is shown by two.
 std::optional<UncertainSegment3> part_of_two_views(const ConditionedViews& frames,
                                                    const ObservedTrack& track,
                                                    const UncertainLine3& line,
@@ -136,24 +125,20 @@ double largest_sigma_z_m(const Matrix6d& cov_m2) {
   return std::sqrt(std::max(cov_m2(2, 2), cov_m2(5, 5)));
 }
 
-bool assign_geometry(const ConditionedViews& frames,
+bool assign_geometry(const TrackedLines& lines,
                      const ObservedTrack& track,
                      const UncertainLine3& estimate,
-                     double max_end_sigma_m,
                      ReconstructedLine& result) {
+  const ConditionedViews& frames = lines.frames;
   const auto views =
       transformed(track.observations, [&](const ObservedLine& s) { return frames.of(s); });
   const auto base = endpoints(estimate, frames.of(track.base()), track.base(), views);
   if (!base) return false;
   const auto other = endpoints(estimate, frames.of(track.other()), track.other(), views);
   const ObjectConditioning& object = frames.object;
-  const bool is_pair = track.observations.size() == 2;
-  result.between_other_ends = is_pair && other && result.line_class == LineClass::kNotAligned &&
-                              (result.between_other_ends ||
-                               is_extrapolated(*base, *other, object.scale_m, max_end_sigma_m));
-  const UncertainSegment3 of_two = result.between_other_ends ? *other : *base;
-  const UncertainSegment3 used =
-      is_pair ? of_two : part_of_two_views(frames, track, estimate, base->segment).value_or(of_two);
+  UncertainSegment3 used = *base;
+  if (lines.common_part || track.observations.size() > 2)
+    used = part_of_two_views(frames, track, estimate, base->segment).value_or(used);
   result.segment_in_local = local_from_conditioned(object, used.segment);
   result.covariance_m2 = object.scale_m * object.scale_m * used.cov;
   result.other_segment_in_local.reset();

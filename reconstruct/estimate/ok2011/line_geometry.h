@@ -28,18 +28,14 @@ std::optional<UncertainSegment3> endpoints(const UncertainLine3& line,
 double largest_sigma_z_m(const Matrix6d& cov_m2);
 
 /// Sets the geometry of the result to the part of the line that its views show.
-/// - Two segments: between the ends of the base segment. A not_aligned line whose height at an end
-/// is less
-///   certain than `max_end_sigma_m` gets the part between the ends of the other segment if these
-///     are more
-///   certain; it keeps them from then on.
-/// - More: to the farthest ends that two views show. Each is the median of the views that agree
-/// within 3 sigma. Returns false and changes nothing if a camera does not see the line between its
-/// base ends.
-bool assign_geometry(const ConditionedViews& frames,
+/// - to the farthest ends that two views show, each the median of the views that agree within 3
+///   sigma;
+/// - without TrackedLines::common_part, where there are only two segments, and where no part is
+///   common to two views: between the ends of the base segment.
+/// Returns false and changes nothing if a camera does not see the line between its base ends.
+bool assign_geometry(const TrackedLines& lines,
                      const ObservedTrack& track,
                      const UncertainLine3& estimate,
-                     double max_end_sigma_m,
                      ReconstructedLine& result);
 
 }  // namespace ridgeline::reconstruct

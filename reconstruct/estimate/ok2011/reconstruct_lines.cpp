@@ -63,14 +63,13 @@ std::optional<UncertainLine3> line_of_planes(const ObservedTrack& line) {
 
 void reconstruct_direct(const TrackedLines& lines,
                         const ObservedTrack& line,
-                        double max_end_sigma_m,
                         ReconstructedLine& result) {
   for (std::size_t j = 0; j < line.observations.size(); ++j) {
     const ObservedLine& observed = line.observations[j];
     result.observations[j].px = in_image(lines.frames.of(observed), observed);
   }
   const auto estimate = line_of_planes(line);
-  if (!estimate || !assign_geometry(lines.frames, line, *estimate, max_end_sigma_m, result)) return;
+  if (!estimate || !assign_geometry(lines, line, *estimate, result)) return;
   result.determination = Determination::kDirect;
   result.failure.reset();
   result.direct_sigma_z_m = largest_sigma_z_m(*result.covariance_m2);
@@ -108,7 +107,6 @@ void give_up(Failure why, ReconstructedLine& result) {
 /// ends to adjust it to. It loses its geometry if its depth is ambiguous or the adjustment fails.
 void reconstruct_joint(const TrackedLines& lines,
                        const LineSupport& support,
-                       double max_end_sigma_m,
                        ReconstructedLine& result) {
   if (support.ambiguous) return give_up(Failure::kAmbiguousDepth, result);
   if (support.points.empty() && support.ends.empty()) {
@@ -121,8 +119,7 @@ void reconstruct_joint(const TrackedLines& lines,
     result.points.push_back(used_point(p, lines.frames.object));
   }
   const auto adjusted = adjust_line(planes_of(support.track), points, support.sigma_slope);
-  if (!adjusted ||
-      !assign_geometry(lines.frames, support.track, adjusted->line, max_end_sigma_m, result)) {
+  if (!adjusted || !assign_geometry(lines, support.track, adjusted->line, result)) {
     return give_up(Failure::kNoIntersection, result);
   }
   result.determination = joint_determination(*adjusted, support);
@@ -135,16 +132,15 @@ void reconstruct_joint(const TrackedLines& lines,
 /// `direct`.
 std::vector<JointLine> reconstruct_aligned(const TrackedLines& lines,
                                            const std::vector<LineSupport>& parts,
-                                           double max_end_sigma_m,
                                            const ReconstructedLine& direct) {
   std::vector<JointLine> results;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     JointLine& result = results.emplace_back(JointLine{direct, parts[p]});
     if (parts.size() > 1) {
       result.line.part = static_cast<int>(p) + 1;
-      reconstruct_direct(lines, parts[p].track, max_end_sigma_m, result.line);
+      reconstruct_direct(lines, parts[p].track, result.line);
     }
-    reconstruct_joint(lines, parts[p], max_end_sigma_m, result.line);
+    reconstruct_joint(lines, parts[p], result.line);
   }
   return results;
 }
@@ -152,8 +148,7 @@ std::vector<JointLine> reconstruct_aligned(const TrackedLines& lines,
 std::vector<ReconstructedLine> direct_lines(const TrackedLines& lines,
                                             std::span<const ObservedTrack> observed,
                                             std::span<const Track> tracks,
-                                            const ReconstructOptions& options,
-                                            double max_end_sigma_m) {
+                                            const ReconstructOptions& options) {
   std::vector<ReconstructedLine> results(tracks.size());
   tbb::parallel_for(std::size_t{0}, tracks.size(), [&](std::size_t i) {
     ReconstructedLine& result = results[i];
@@ -161,7 +156,7 @@ std::vector<ReconstructedLine> direct_lines(const TrackedLines& lines,
       return ObservedSegment{s, {}};
     });
     classify(lines, i, options, result);
-    reconstruct_direct(lines, observed[i], max_end_sigma_m, result);
+    reconstruct_direct(lines, observed[i], result);
   });
   return results;
 }
@@ -173,8 +168,7 @@ std::vector<std::vector<JointLine>> joint_lines(const TrackedLines& lines,
                                                 std::span<const ObservedTrack> observed,
                                                 const Neighbours& neighbours,
                                                 const SupportOfTrack& support,
-                                                std::span<const ReconstructedLine> direct,
-                                                double max_end_sigma_m) {
+                                                std::span<const ReconstructedLine> direct) {
   std::vector<std::vector<JointLine>> by_track(observed.size());
   tbb::parallel_for(std::size_t{0}, observed.size(), [&](std::size_t i) {
     Interruption::check();
@@ -184,7 +178,7 @@ std::vector<std::vector<JointLine>> joint_lines(const TrackedLines& lines,
       return;
     }
     const std::vector<LineSupport> parts = support(observed[i], neighbours[i]);
-    by_track[i] = reconstruct_aligned(lines, parts, max_end_sigma_m, direct[i]);
+    by_track[i] = reconstruct_aligned(lines, parts, direct[i]);
   });
   return by_track;
 }
@@ -255,29 +249,30 @@ std::vector<ReconstructedLine> reconstruct_lines(const TrackedSegments& tracked,
   const std::span<const Track> tracks = tracked.tracks;
   const Neighbours neighbours = neighbours_of(tracked.connections, tracks.size());
   if (tracks.empty()) return {};
+  const auto lines_of = [&](const std::vector<TrackSegments>& segments, LineCovariance form) {
+    TrackedLines lines = tracked_lines(tracked, segments, form);
+    lines.common_part = beyond.common_part;
+    return lines;
+  };
   // The consensus on the depth of aligned lines uses the lines that these meet as they were
   // extracted, not as registered.
-  const TrackedLines lines = tracked_lines(tracked, extracted(tracked), options.line_covariance);
+  const TrackedLines lines = lines_of(extracted(tracked), options.line_covariance);
   const std::vector<TrackSegments> corrected = registered(tracked);
-  const std::vector<ObservedTrack> observed =
-      tracked_lines(tracked, corrected, options.line_covariance).lines;
+  const std::vector<ObservedTrack> observed = lines_of(corrected, options.line_covariance).lines;
 
-  std::vector<ReconstructedLine> direct =
-      direct_lines(lines, observed, tracks, options, beyond.max_end_sigma_m);
+  std::vector<ReconstructedLine> direct = direct_lines(lines, observed, tracks, options);
   if (options.method == Method::kDirect) return direct;
 
   SupportOfTrack support = [&](const ObservedTrack& line, std::span<const int> mates) {
     return std::vector{published_support(lines, line, mates, options)};
   };
   if (beyond.support) {
-    support = beyond.support(
-        lines, direct_lines(lines, lines.lines, tracks, options, beyond.max_end_sigma_m));
+    support = beyond.support(lines, direct_lines(lines, lines.lines, tracks, options));
   }
   std::vector<std::vector<JointLine>> by_track =
-      joint_lines(lines, observed, neighbours, support, direct, beyond.max_end_sigma_m);
+      joint_lines(lines, observed, neighbours, support, direct);
   if (options.method == Method::kNetwork) {
-    beyond.network(tracked_lines(tracked, corrected, LineCovariance::kCentroid),
-                   tracked.connections, by_track);
+    beyond.network(lines_of(corrected, LineCovariance::kCentroid), tracked.connections, by_track);
   }
   return flattened(by_track);
 }

@@ -16,7 +16,6 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -73,7 +72,6 @@ struct ReconstructedLine : TrackOf<ObservedSegment> {
   std::optional<Failure> failure = Failure::kNoIntersection;
   /// False: two views show the line, and a further one that should show it does not.
   bool confirmed = true;
-  bool between_other_ends = false;  ///< whether segment_in_local has the ends of the other segment
   /// The largest angle of all pairs of its observations, of each pair the smaller one of both
   /// images.
   double epipolar_angle_rad = 0.0;
@@ -106,9 +104,7 @@ using SupportOfTrack = std::function<std::vector<LineSupport>(const ObservedTrac
 
 /// The places where extensions beyond the paper enter the estimation. Each may be empty.
 struct EstimateExtensions {
-  /// A not_aligned line whose end is less certain than this (height) is given between the ends of
-  /// the right segment.
-  double max_end_sigma_m = std::numeric_limits<double>::infinity();
+  bool common_part = false;  ///< see TrackedLines::common_part
   /// Gives the support of aligned lines in place of published_support(), from all lines and the
   /// lines by `direct`.
   std::function<SupportOfTrack(const TrackedLines& lines,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/match/beyond/extensions.h"
 
-#include "reconstruct/match/beyond/close_lines.h"
 #include "reconstruct/match/beyond/hidden_walls/hidden_strips.h"
 #include "reconstruct/match/beyond/hidden_walls/side_past_wall.h"
 #include "reconstruct/match/beyond/matched_radiometry.h"
@@ -24,10 +23,7 @@ MatchExtensions match_extensions(const MatchExtensionOptions& options,
   }
   beyond.candidates = [options, surface](const SearchedPair& pair, const Radiometry& radiometry,
                                          Candidates& found) {
-    const std::array<CloseLines, 2> close{close_lines(ideal_segments(pair.left)),
-                                          close_lines(ideal_segments(pair.right))};
-    if (options.close_lines) keep_order_of_close_lines(pair, close, found);
-    if (options.hidden_walls) compare_across_hidden_strips(pair, radiometry, close, found);
+    if (options.hidden_walls) compare_across_hidden_strips(pair, radiometry, found);
     if (options.surface && surface != nullptr)
       weigh_by_surface(*surface, ideal_segments(pair.left), found);
   };

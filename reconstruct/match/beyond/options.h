@@ -7,12 +7,10 @@
 
 namespace ridgeline::reconstruct {
 
-/// The options of the extensions of the matching; see match_extensions() and propagate_heights().
+/// The options of the extensions of the matching; see match_extensions().
 struct MatchExtensionOptions {
   bool matched_radiometry = true;
-  bool close_lines = true;
   bool hidden_walls = true;
-  bool propagate_heights = true;
   /// The depth of the surfaces beside a line speaks for or against its candidates. See
   /// weigh_by_surface().
   bool surface = true;
@@ -20,18 +18,9 @@ struct MatchExtensionOptions {
   /// them. See guided_matches().
   bool guided = true;
   double guided_min_similarity = 0.8;
-  /// Lines matched by height must look more alike than other lines of `chio` (its min_similarity).
-  /// On the training villages 4 of 19 lines below this value were false, and none of the 6 from
-  /// this value on.
-  double propagate_min_similarity = 0.82;
 
   static constexpr MatchExtensionOptions none() {
-    return {.matched_radiometry = false,
-            .close_lines = false,
-            .hidden_walls = false,
-            .propagate_heights = false,
-            .surface = false,
-            .guided = false};
+    return {.matched_radiometry = false, .hidden_walls = false, .surface = false, .guided = false};
   }
 
   static constexpr auto fields() {
@@ -39,20 +28,14 @@ struct MatchExtensionOptions {
     return std::tuple{
         Field{"matched_radiometry", &O::matched_radiometry, false, true,
               "estimate gain and offset of the images from common surfaces"},
-        Field{"close_lines", &O::close_lines, false, true,
-              "keep the order of the two edges of a narrow strip"},
         Field{"hidden_walls", &O::hidden_walls, false, true,
               "compare edges across walls visible to only one camera"},
-        Field{"propagate_heights", &O::propagate_heights, false, true,
-              "match remaining lines at the height of matched lines that they meet"},
         Field{"surface", &O::surface, false, true,
               "select among candidates by the depth of the adjacent surfaces (dense matching)"},
         Field{"guided", &O::guided, false, true,
               "search unmatched lines in the other image where these surfaces predict them"},
         Field{"guided_min_similarity", &O::guided_min_similarity, 0.0, 1.0,
-              "guided: minimum similarity"},
-        Field{"propagate_min_similarity", &O::propagate_min_similarity, 0.0, 1.0,
-              "propagate_heights: minimum similarity"}};
+              "guided: minimum similarity"}};
   }
 };
 

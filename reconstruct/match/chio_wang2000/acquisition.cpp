@@ -102,16 +102,4 @@ void Acquisition::acquire(int left, const Acquired& acquired) {
   takers_[mate(left).right].push_back(left);
 }
 
-void Acquisition::accept(const Correspondence& match) {
-  outcomes_[match.base] = ChioOutcome::kMatched;
-  takers_[match.other].push_back(match.base);
-  const auto& list = candidates_[match.base].list;
-  const CoreCandidate* mate = candidate_of(candidates_[match.base], match.other);
-  if (!mate) return;
-  // If a segment has several mates, the best candidate is kept. It comes first in the list.
-  const int candidate = static_cast<int>(mate - list.data());
-  std::optional<Acquired>& acquired = acquired_[match.base];
-  if (!acquired || candidate < acquired->candidate) acquired = Acquired{.candidate = candidate};
-}
-
 }  // namespace ridgeline::reconstruct

@@ -15,9 +15,8 @@ namespace ridgeline::reconstruct {
 /// How a left segment got its mate.
 struct Acquired {
   int candidate = 0;  ///< index of the initial link in the list of the left segment
-  int process = 0;    ///< 1 to 4; 0: taken over from another matcher
-  /// The matched left segment whose height the line had to have. -1 in the first process and for a
-  /// match that was taken over.
+  int process = 0;    ///< 1 to 4
+  /// The matched left segment whose height the line had to have. -1 in the first process.
   int neighbour = -1;
   double height_m = 0.0;  ///< height of the neighbour
   double limit_m = 0.0;   ///< largest difference from the height of the neighbour
@@ -53,10 +52,6 @@ class Acquisition {
   ///     left segment.
   std::optional<int> choose(int left, const Allowed& allowed);
   void acquire(int left, const Acquired& acquired);
-  /// Takes over a match of another matcher, with process 0. If the match is among the candidates,
-  /// it can give its height to others. Otherwise it only keeps its two segments from being matched
-  /// with others.
-  void accept(const Correspondence& match);
 
  private:
   [[nodiscard]] bool is_free(int left, const CoreCandidate& candidate) const;

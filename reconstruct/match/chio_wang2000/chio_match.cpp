@@ -36,20 +36,18 @@ ChioLine line_of(int left_id,
 ChioResult chio_match(const StereoPair& pair,
                       const ChioOptions& options,
                       const CandidateOptions& candidate_options,
-                      const ChioExtensions& beyond,
-                      std::span<const Correspondence> given) {
+                      const ChioExtensions& beyond) {
   validate(options);
   const SearchedPair views = searched(pair);
   const std::vector<CoreCandidates> candidates =
       core_candidates(views, options, candidate_options, beyond);
-  ProcessedSegments processed = four_processes(views, candidates, options, beyond, given);
+  ProcessedSegments processed = four_processes(views, candidates, options, beyond);
 
   ChioResult result;
   result.outcomes = std::move(processed.outcomes);
   std::vector<int> acquired;
   for (std::size_t i = 0; i < processed.acquired.size(); ++i) {
-    const auto& found = processed.acquired[i];
-    if (found && found->process > 0) acquired.push_back(static_cast<int>(i));
+    if (processed.acquired[i]) acquired.push_back(static_cast<int>(i));
   }
   result.lines.resize(acquired.size());
   tbb::parallel_for(std::size_t{0}, acquired.size(), [&](std::size_t k) {

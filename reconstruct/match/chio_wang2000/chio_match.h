@@ -36,14 +36,12 @@ struct ChioResult {
 ///
 /// @param candidate_options  options of the search for candidates; its min_epipolar_angle_deg is
 /// replaced by that of `options`
-/// @param given              matches of another matcher in place of the first two processes
 /// The result is the same for any number of threads. Throws std::invalid_argument as
 /// match_pairwise() does.
 ChioResult chio_match(const StereoPair& pair,
                       const ChioOptions& options = {},
                       const CandidateOptions& candidate_options = {},
-                      const ChioExtensions& beyond = {},
-                      std::span<const Correspondence> given = {});
+                      const ChioExtensions& beyond = {});
 
 /// The matches of the lines.
 std::vector<Correspondence> matches_of(const ChioResult& result);

@@ -41,21 +41,15 @@ class Iteration {
 
   ProcessedSegments run() {
     for (const Structure& structure : structures_) first_and_second(structure);
-    third_and_fourth({HeightLimit::kClose, HeightLimit::kRelaxed});
-    return {acquisition_.acquired(), acquisition_.outcomes()};
-  }
-
-  ProcessedSegments run_beside(std::span<const Correspondence> given) {
-    for (const Correspondence& match : given) acquisition_.accept(match);
-    third_and_fourth({HeightLimit::kClose});
+    third_and_fourth();
     return {acquisition_.acquired(), acquisition_.outcomes()};
   }
 
  private:
-  void third_and_fourth(std::initializer_list<HeightLimit> limits) {
+  void third_and_fourth() {
     const Neighbourhood adjacent = adjacent_segments(left_segments_, structures_);
     const Neighbourhood near = segments_in_range(left_segments_, candidates_, options_.range_m);
-    for (const HeightLimit limit : limits) {
+    for (const HeightLimit limit : {HeightLimit::kClose, HeightLimit::kRelaxed}) {
       int n_found = 1;
       while (n_found > 0) {
         n_found = until_nothing_changes(3, adjacent, limit);
@@ -212,10 +206,8 @@ class Iteration {
 ProcessedSegments four_processes(const SearchedPair& pair,
                                  const std::vector<CoreCandidates>& candidates,
                                  const ChioOptions& options,
-                                 const ChioExtensions& beyond,
-                                 std::span<const Correspondence> given) {
-  Iteration iteration(pair, candidates, options, beyond);
-  return given.empty() ? iteration.run() : iteration.run_beside(given);
+                                 const ChioExtensions& beyond) {
+  return Iteration(pair, candidates, options, beyond).run();
 }
 
 }  // namespace ridgeline::reconstruct

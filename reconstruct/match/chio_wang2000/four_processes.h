@@ -33,13 +33,9 @@ struct ProcessedSegments {
 ///     nothing changes.
 /// Processes 3 and 4 repeat until neither finds more. The geometric constraint becomes looser from
 /// process to process; the constraints of Core never change. NeighbourHeights compares the heights.
-///
-/// `given` are matches of another matcher in place of the first two processes. With them, processes
-/// 3 and 4 run with the close limit (0.5 m) only.
 ProcessedSegments four_processes(const SearchedPair& pair,
                                  const std::vector<CoreCandidates>& candidates,
                                  const ChioOptions& options,
-                                 const ChioExtensions& beyond = {},
-                                 std::span<const Correspondence> given = {});
+                                 const ChioExtensions& beyond = {});
 
 }  // namespace ridgeline::reconstruct

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/match/beyond/hidden_walls/hidden_strips.h"
 
+#include "reconstruct/match/beyond/hidden_walls/close_lines.h"
+
 #include <algorithm>
+#include <array>
 
 namespace ridgeline::reconstruct {
 namespace {
@@ -13,7 +16,7 @@ using Ids = std::array<int, 2>;
 struct StripPair {
   const SearchedPair& views;
   const Radiometry& radiometry;
-  const std::array<CloseLines, 2>& close;
+  std::array<CloseLines, 2> close;
 
   [[nodiscard]] const View& view(int image) const { return image == 0 ? views.left : views.right; }
   [[nodiscard]] const EdgeSegment& segment(int image, int id) const {
@@ -155,10 +158,12 @@ std::vector<HiddenStrip> hidden_strips(const StripPair& pair, const Candidates& 
 
 void compare_across_hidden_strips(const SearchedPair& views,
                                   const Radiometry& radiometry,
-                                  const std::array<CloseLines, 2>& close,
                                   Candidates& candidates) {
   constexpr double kMinRatio = 0.8;  // similarity of the upper edge over that of the lower one
-  const StripPair pair{views, radiometry, close};
+  const StripPair pair{
+      views,
+      radiometry,
+      {close_lines(ideal_segments(views.left)), close_lines(ideal_segments(views.right))}};
   Candidates changed = candidates;
   for (const HiddenStrip& strip : hidden_strips(pair, candidates)) {
     const Candidate whole = across(strip, pair);

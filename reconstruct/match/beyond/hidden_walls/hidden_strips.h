@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/match/beyond/close_lines.h"
 #include "reconstruct/match/candidates.h"
-
-#include <array>
 
 namespace ridgeline::reconstruct {
 
@@ -19,11 +16,8 @@ namespace ridgeline::reconstruct {
 /// the strip cut out: on the side of the strip, what lies beyond the lower edge counts. If the
 /// upper edge is then about as similar as the lower edge, the upper edge keeps the better
 /// similarity and the lower edge loses the candidate.
-///
-/// @param close  the close lines of each segment, in the left and in the right image
 void compare_across_hidden_strips(const SearchedPair& views,
                                   const Radiometry& radiometry,
-                                  const std::array<CloseLines, 2>& close,
                                   Candidates& candidates);
 
 }  // namespace ridgeline::reconstruct

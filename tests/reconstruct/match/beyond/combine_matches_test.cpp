@@ -23,7 +23,7 @@ TEST(CombineMatches, TakesPairwiseFirstAndWellConstrainedLinesOfChio) {
   for (int i = 0; i < 5; ++i) left.push_back(test::edge({{0, 50.0 * i}, {40, 50.0 * i}}));
   left.push_back(test::edge({{45, 0}, {80, 0}}));
   const std::vector<Correspondence> pairwise{{0, 10, 0.9, 3.0, "pairwise"},
-                                             {1, 11, 0.8, 2.0, "pairwise_height"}};
+                                             {1, 11, 0.8, 2.0, "guided"}};
   const std::vector<ChioLine> chio{
       chio_line(0, 10, 4),  // agrees
       chio_line(1, 99, 1),  // disagrees: pairwise stays
@@ -36,7 +36,7 @@ TEST(CombineMatches, TakesPairwiseFirstAndWellConstrainedLinesOfChio) {
   ASSERT_EQ(combined.size(), 4U);
   EXPECT_EQ(combined[0].matcher, "pairwise+chio");
   EXPECT_EQ(combined[0].score, 0.9);
-  EXPECT_EQ(combined[1].matcher, "pairwise_height");
+  EXPECT_EQ(combined[1].matcher, "guided");
   EXPECT_EQ(combined[1].other, 11);
   EXPECT_EQ(combined[2].matcher, "chio");
   EXPECT_EQ(combined[2].base, 2);

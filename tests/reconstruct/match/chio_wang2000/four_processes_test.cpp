@@ -59,10 +59,8 @@ class FigureThree : public testing::Test {
   }
 
   [[nodiscard]] ProcessedSegments process(
-      const ChioOptions& options = {},
-      std::span<const Correspondence> given = {},
-      const ChioExtensions& beyond = test::kOurExtensions) const {
-    return four_processes({views_[0], views_[1], search_}, candidates_, options, beyond, given);
+      const ChioOptions& options = {}, const ChioExtensions& beyond = test::kOurExtensions) const {
+    return four_processes({views_[0], views_[1], search_}, candidates_, options, beyond);
   }
 
   static std::ptrdiff_t count(const ProcessedSegments& processed) {
@@ -121,17 +119,6 @@ TEST_F(FigureThree, LooserConstraintsNeverLoseALine) {
   EXPECT_EQ(before, 6);
 }
 
-TEST_F(FigureThree, WhatIsAcquiredGivesNothingMore) {
-  // the result is a fixed point: if it is given, nothing more is found
-  const ProcessedSegments first = process();
-  std::vector<Correspondence> given;
-  for (std::size_t i = 0; i < first.acquired.size(); ++i) {
-    const auto& candidate = candidates_[i].list[first.acquired[i]->candidate];
-    given.push_back({static_cast<int>(i), candidate.right, 1.0});
-  }
-  for (const auto& line : process({}, given).acquired) EXPECT_EQ(line->process, 0);
-}
-
 TEST_F(FigureThree, HeightsTellWhatTheRelaxedLimitReaches) {
   add({{11, 0, 11}, {16, 8, 11}});  // 2.7 m above D
   add({{15, 0, 30}, {20, 8, 30}});  // far above everything
@@ -168,7 +155,7 @@ TEST_F(FigureThree, TwoCandidatesOfOneLookAreAmbiguousButByPaper) {
   options.height_difference_m = 5.0;  // 0.8 m aside means 3 m of height
   EXPECT_EQ(process(options).outcomes[kC], ChioOutcome::kAmbiguous);
   EXPECT_EQ(process().outcomes[kC], ChioOutcome::kMatched);  // the height decides
-  EXPECT_EQ(process(options, {}, ChioExtensions{}).outcomes[kC], ChioOutcome::kMatched);
+  EXPECT_EQ(process(options, ChioExtensions{}).outcomes[kC], ChioOutcome::kMatched);
 }
 
 TEST_F(FigureThree, ARightSegmentServesOneLeftEdge) {
@@ -178,15 +165,6 @@ TEST_F(FigureThree, ARightSegmentServesOneLeftEdge) {
   const auto [acquired, outcomes] = process();
   EXPECT_TRUE(acquired[kC]);
   EXPECT_FALSE(acquired[6]);
-}
-
-TEST_F(FigureThree, GivenMatchesStandInPlaceOfTheFirstProcesses) {
-  const std::vector<Correspondence> given{{kA2, kA2, 1.0}};
-  const auto [acquired, outcomes] = process({}, given);
-  EXPECT_EQ(acquired[kA2]->process, 0);
-  EXPECT_EQ(acquired[kB]->process, 3);
-  EXPECT_EQ(acquired[kA1]->process, 3);
-  EXPECT_EQ(acquired[kD]->process, 4);
 }
 
 }  // namespace

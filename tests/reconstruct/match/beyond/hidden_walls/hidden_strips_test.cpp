@@ -36,10 +36,7 @@ Candidates candidates_of(const PaintedPair& pair) {
 }
 
 Candidates compared(const PaintedPair& pair, Candidates candidates) {
-  compare_across_hidden_strips(
-      pair.searched(), Radiometry{},
-      {close_lines(ideal_segments(pair.views[0])), close_lines(ideal_segments(pair.views[1]))},
-      candidates);
+  compare_across_hidden_strips(pair.searched(), Radiometry{}, candidates);
   return candidates;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reconstruct/match/beyond/close_lines.h"
+#include "reconstruct/match/beyond/hidden_walls/close_lines.h"
 
 #include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/degrees.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -60,17 +61,6 @@ std::vector<CloseLine> close_lines_of(const BoxIndex2& index,
   return found;
 }
 
-bool exchanges_sides(const Segment2& segment,
-                     const StereoSearch& search,
-                     const CloseLine& beside_left,
-                     const CloseLine& beside_right,
-                     const Candidate& candidate) {
-  const double height_m = 0.5 * (candidate.overlap.height_m[0] + candidate.overlap.height_m[1]);
-  const LocalTransfer transfer =
-      local_transfer(search.right_from_left, midpoint(segment), height_m);
-  return (transfer.jacobian * beside_left.towards).dot(beside_right.towards) < 0.0;
-}
-
 }  // namespace
 
 CloseLines close_lines(std::span<const Segment2> segments) {
@@ -80,20 +70,6 @@ CloseLines close_lines(std::span<const Segment2> segments) {
     found[i] = close_lines_of(index, segments, i);
   }
   return found;
-}
-
-void keep_order_of_close_lines(const SearchedPair& pair,
-                               const std::array<CloseLines, 2>& close,
-                               Candidates& candidates) {
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (close[0][i].size() != 1) continue;
-    std::erase_if(candidates[i], [&](const Candidate& c) {
-      const std::vector<CloseLine>& beside_right = close[1][static_cast<std::size_t>(c.right)];
-      return beside_right.size() == 1 &&
-             exchanges_sides(pair.left.segments[i].line.segment, pair.search, close[0][i].front(),
-                             beside_right.front(), c);
-    });
-  }
 }
 
 }  // namespace ridgeline::reconstruct
