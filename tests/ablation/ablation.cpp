@@ -231,7 +231,7 @@ std::map<std::string, double> run_variants(const std::vector<Variant>& variants,
     const auto result = ridgeline::test::run_program(ridgeline::test::program(), arguments, folder);
     check(result.exit_code == 0, result.err);
     seconds[variant.name] = result.processor_s;
-    std::fprintf(stderr, "%s: %s, %.1f s\n", folder.filename().c_str(), variant.name,
+    std::fprintf(stderr, "%s: %s, %.1f s\n", folder.filename().c_str(), variant.name.c_str(),
                  result.processor_s);
   }
   return seconds;
@@ -379,7 +379,8 @@ Variant variant_of(const std::string& name) {
 /// Throws std::runtime_error for arguments that are not known.
 Plan plan_of(const std::vector<std::string>& arguments) {
   check(!arguments.empty(), "usage: see the head of ablation.cpp");
-  Plan plan{.folder = arguments[0]};
+  Plan plan;
+  plan.folder = arguments[0];
   std::string only;
   for (std::size_t i = 1; i < arguments.size(); ++i) {
     if (arguments[i] == "--held-out") {
