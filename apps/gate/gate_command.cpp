@@ -98,7 +98,7 @@ int run_gate(const GateArguments& a) {
 Run add_gate(CLI::App& subcommand) {
   auto a = std::make_shared<GateArguments>();
   CLI::Option* results = subcommand.add_option("results", a->results,
-                                               "results folder of run, block, demo or evaluate");
+                                               "results folder of run, block, demo, evaluate or pool");
   CLI::Option* gates = subcommand.add_option("--gates", a->gates, "gates file (YAML)");
   CLI::Option* baseline = subcommand.add_option(
       "--baseline", a->baseline,

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kKeys =
     R"(# Accuracy gates: ridgeline gate RESULTS --gates THIS_FILE
-# RESULTS is a folder that run, demo or evaluate wrote with --out.
+# RESULTS is a folder that run, block, demo, evaluate or pool wrote with --out.
 # Exit code 0: all gates passed. 3: a gate failed. 1: this file or the results are wrong.
 # A gate whose figure does not exist fails. Only the gates listed here are checked.
 #

@@ -30,8 +30,32 @@ struct PoolArguments {
   PageFacts page;
 };
 
+/// A run as run.json lists it: its area, the figures of its first line file, and its page, relative
+/// to the folder `out`.
+Json run_entry(const results::AreaRun& run, const std::string& out) {
+  Json entry{{"folder", run.folder},
+             {"area", run.bounds},
+             {"seconds", run.run.value("seconds", 0.0)},
+             {"peak_memory_mib", run.run.value("peak_memory_mib", 0.0)},
+             {"n_lines", 0},
+             {"n_evaluated", 0},
+             {"rms_m", nullptr}};
+  const auto& classes = run.evaluations.front().classes;
+  if (const auto* const total = evaluate::find_class(classes, evaluate::kTotal)) {
+    entry["n_lines"] = total->n_lines;
+    entry["n_evaluated"] = total->n_evaluated;
+    if (total->rms_m) entry["rms_m"] = *total->rms_m;
+  }
+  const fs::path page = fs::path(run.folder) / "report.html";
+  if (fs::exists(page))
+    entry["page"] = fs::proximate(fs::absolute(page), fs::absolute(out)).generic_string();
+  return entry;
+}
+
 /// The facts of the cloud that all runs share, and the runs.
-void record_runs(const results::PooledRuns& pooled, results::RunRecord& record) {
+void record_runs(const results::PooledRuns& pooled,
+                 const std::string& out,
+                 results::RunRecord& record) {
   Json cloud = Json::object();
   for (const char* key : {"crs", "horizontal_unit_m", "vertical_unit_m", "plan_scale"}) {
     const Json& of_first = pooled.runs.front().run.at("cloud");
@@ -39,12 +63,7 @@ void record_runs(const results::PooledRuns& pooled, results::RunRecord& record) 
   }
   record.set("cloud", std::move(cloud));
   Json runs = Json::array();
-  for (const results::AreaRun& run : pooled.runs) {
-    runs.push_back({{"folder", run.folder},
-                    {"area", run.bounds},
-                    {"seconds", run.run.value("seconds", 0.0)},
-                    {"peak_memory_mib", run.run.value("peak_memory_mib", 0.0)}});
-  }
+  for (const results::AreaRun& run : pooled.runs) runs.push_back(run_entry(run, out));
   record.set("runs", std::move(runs));
 }
 
@@ -81,7 +100,7 @@ int run_pool(const PoolArguments& a) {
   const results::PooledRuns pooled = results::pool_runs(a.folders);
   record.end_stage("pool");
   record.set_options(pooled.options);
-  record_runs(pooled, record);
+  record_runs(pooled, a.out, record);
   for (const Json& input : pooled.inputs) record.add_recorded_input(input);
   record.add_warnings(pooled.warnings);
   warn_of(pooled.warnings);

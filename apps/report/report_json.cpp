@@ -327,6 +327,13 @@ Json run_json(const Json& run) {
   for (const char* key : {"command", "versions", "options", "inputs", "messages", "page"}) {
     if (run.contains(key)) json[key] = run[key];
   }
+  for (const Json& area : run.value("runs", Json::array())) {
+    Json shown{{"bounds_m", area.at("area")}};
+    for (const char* key : {"page", "n_lines", "n_evaluated", "rms_m"}) {
+      if (area.contains(key)) shown[key] = area[key];
+    }
+    json["areas"].push_back(std::move(shown));
+  }
   // the page leaves out the warnings of `run`: a resumed run does not repeat them, and reading the
   // cloud gives its own again
   if (results::is_of_line_files(json)) json["warnings"] = run.value("warnings", Json::array());

@@ -108,6 +108,7 @@ void keep_decoys(const std::vector<bool>& is_kept, std::vector<evaluate::Decoy>&
   for (std::size_t i = 0, n = 0; i < is_kept.size(); ++i) {
     if (is_kept[i]) number[i] = n++;
   }
+  for (std::size_t i = 0; i < decoys.size(); ++i) decoys[i].number = i;
   std::erase_if(decoys, [&](const evaluate::Decoy& decoy) { return !is_kept[decoy.parent]; });
   for (evaluate::Decoy& decoy : decoys) decoy.parent = number[decoy.parent];
 }

@@ -232,6 +232,8 @@ void pool_decoys(std::vector<AreaRun>& runs,
       decoys.push_back(std::move(decoy));
     }
   }
+  const auto number = [](const evaluate::JudgedDecoy& judged) { return judged.decoy.number; };
+  std::ranges::sort(decoys, {}, number);
   std::vector<evaluate::JudgedLine> lines(pooled.lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (pooled.lines[i].segment) lines[i].segment = *pooled.lines[i].segment;

@@ -134,7 +134,7 @@ std::vector<FoundEvaluation> read_evaluations(const fs::path& folder, bool is_fl
     const std::string what = is_other ? ": it is " + kind.what : "";
     throw io::IoError(folder.string(),
                       fmt::format("holds no evaluation.*.json{}; must be the `out` of run, block, "
-                                  "demo or evaluate",
+                                  "demo, evaluate or pool",
                                   what));
   }
   table.check_all_found(found);

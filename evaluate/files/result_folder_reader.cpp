@@ -83,7 +83,7 @@ evaluate::Table1 read_matching(const fs::path& folder, bool of_files) {
 
 evaluate::ResultFolder read_result_folder(const std::string& folder) {
   constexpr const char* kWhat =
-      "is not a results folder; must be the `out` of run, block, demo or evaluate";
+      "is not a results folder; must be the `out` of run, block, demo, evaluate or pool";
   if (!fs::exists(folder)) throw io::MissingFileError(folder, kWhat);
   if (!fs::is_directory(folder)) {
     io::refuse_other_kind(folder, io::FileGroup::kResultFolder);

@@ -77,9 +77,9 @@ std::vector<DecoyFigure> decoy_figures(std::span<const JudgedDecoy> decoys,
     for (const double distance_m : kDecoyDistances_m) {
       std::vector<const JudgedDecoy*> members;
       for (const JudgedDecoy& judged : decoys) {
-        const auto& [parent, of_kind, by_m, line] = judged.decoy;
-        const bool belongs = of_kind == kind && by_m == distance_m && is_evaluated(lines[parent]);
-        if (belongs) members.push_back(&judged);
+        const Decoy& d = judged.decoy;
+        if (d.kind == kind && d.distance_m == distance_m && is_evaluated(lines[d.parent]))
+          members.push_back(&judged);
       }
       if (!members.empty()) figures.push_back(figure_of(members, clusters, options));
     }

@@ -35,6 +35,7 @@ struct Decoy {
   DecoyKind kind = DecoyKind::kHeight;
   double distance_m = 0.0;  ///< > 0
   JudgedLine line;
+  std::size_t number = 0;  ///< among those of all lines, if only an area is judged
 };
 
 /// The line moved by `distance_m`: up (kHeight, kMatch) or to its left in plan (kAcross), seen from

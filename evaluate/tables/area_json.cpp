@@ -21,11 +21,11 @@ std::string vector_text(const Eigen::Vector3d& x) {
   return fmt::format(" {:.6g} {:.6g} {:.6g}", x.x(), x.y(), x.z());
 }
 
-/// "12 height 0.5 0.4871": its line, kind and distance, and its mean distance from its planes, or
+/// "7 12 height 0.5 0.4871": its number, line, kind and distance, and its mean distance from its planes, or
 /// "-" if it was not evaluated. Of a line elsewhere its ends and its planes follow.
 std::string decoy_text(const JudgedDecoy& judged) {
-  const auto& [parent, kind, distance_m, line] = judged.decoy;
-  std::string text = fmt::format("{} {} {}", parent, name(kind), distance_m);
+  const auto& [parent, kind, distance_m, line, number] = judged.decoy;
+  std::string text = fmt::format("{} {} {} {}", number, parent, name(kind), distance_m);
   if (judged.evaluation.status != Status::kEvaluated) return text + " -";
   text += fmt::format(" {:.6g}", *judged.evaluation.mean_distance_m);
   if (kind != DecoyKind::kElsewhere) return text;
@@ -48,8 +48,8 @@ JudgedDecoy parse_decoy(const std::string& text) {
   std::istringstream words(text);
   JudgedDecoy judged;
   std::string kind, mean_m;
-  words >> judged.decoy.parent >> kind >> judged.decoy.distance_m >> mean_m;
-  check(!words.fail(), "decoy: ", text, "; must be a line, a kind and two distances");
+  words >> judged.decoy.number >> judged.decoy.parent >> kind >> judged.decoy.distance_m >> mean_m;
+  check(!words.fail(), "decoy: ", text, "; must be a number, a line, a kind and two distances");
   judged.decoy.kind = kind_named(kind);
   judged.evaluation.status = Status::kNoPlane;
   if (mean_m == "-") return judged;

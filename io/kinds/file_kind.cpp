@@ -64,7 +64,7 @@ constexpr std::array kGroups{
     GroupInfo{kEvaluation, "give its folder to gate, compare or report"},
     GroupInfo{kResult, "give its folder to gate, compare or report"},
     GroupInfo{kResultFolder, "give it to gate, compare or report", "a results folder",
-              "the `out` of run, demo or evaluate is expected"}};
+              "the `out` of run, block, demo, evaluate or pool is expected"}};
 
 }  // namespace
 

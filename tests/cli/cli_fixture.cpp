@@ -96,6 +96,13 @@ void Cli::SetUpTestSuite() {
 
 void Cli::TearDownTestSuite() { fs::remove_all(scene_of_suite); }
 
+nlohmann::json Cli::data_of(const std::string& report) const {
+  const std::string page = read(path(report));
+  const std::string open = "id=\"report-data\">";
+  const std::size_t begin = page.find(open) + open.size();
+  return nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+}
+
 SmallPatch::SmallPatch() {
   static const Village village;
   fs::copy(village.patch(), path("patch"));

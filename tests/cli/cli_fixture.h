@@ -56,6 +56,9 @@ class Cli : public testing::Test {
   /// name.
   [[nodiscard]] std::map<std::string, std::string> results_in(const std::string& folder) const;
 
+  /// The data that a report.html shows.
+  [[nodiscard]] nlohmann::json data_of(const std::string& report) const;
+
  private:
   std::filesystem::path folder_;
 };

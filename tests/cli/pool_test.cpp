@@ -196,7 +196,7 @@ TEST_F(PoolRefuses, AreasThatOverlap) {
 
 TEST_F(PoolRefuses, LinesThatWereMoved) {
   ASSERT_EQ(judge(kWest, "west", {"--apply-shift"}).exit_code, 0);
-  EXPECT_REFUSED(pool({"west"}, "pooled"), HasSubstr("apply_shift"));
+  EXPECT_REFUSED(pool({"west"}, "pooled"), HasSubstr("apply-shift"));
 }
 
 TEST_F(PoolRefuses, AnotherReferenceSystem) {
@@ -243,8 +243,23 @@ TEST_F(Pool, IsAFolderOfResults) {
   EXPECT_EQ(gate.exit_code, 0) << gate.err;
   const ProgramResult compared = run({"compare", "pooled", "town/whole", "--out", "compared"});
   EXPECT_EQ(compared.exit_code, 0) << compared.err;
+}
+
+TEST_F(Pool, HasAPageWithThePlanOfItsAreas) {
+  const std::vector<std::string> folders = judge_areas(2, "areas");
+  ASSERT_EQ(run({"report", folders[0]}).exit_code, 0);
+  ASSERT_EQ(pool(folders, "pooled").exit_code, 0);
   const ProgramResult report = run({"report", "pooled"});
-  EXPECT_EQ(report.exit_code, 0) << report.err;
+  ASSERT_EQ(report.exit_code, 0) << report.err;
+  const json areas = data_of("pooled/report.html")["run"]["areas"];
+  ASSERT_EQ(areas.size(), folders.size());
+  std::size_t n_lines = 0;
+  for (const json& area : areas) n_lines += area["n_lines"].get<std::size_t>();
+  EXPECT_EQ(n_lines, read_json(path("town/whole/evaluation.truth.json"))["lines"].size());
+  const auto n_pages =
+      std::ranges::count_if(areas, [](const json& area) { return area.contains("page"); });
+  EXPECT_EQ(n_pages, 1);
+  EXPECT_EQ(areas[0]["page"], "../areas/0/report.html");
 }
 
 TEST_F(Pool, TakesTheEmptyArea) {

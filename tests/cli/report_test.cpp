@@ -22,14 +22,6 @@ class Report : public SmallPatch {
     const ProgramResult result = run(arguments);
     ASSERT_EQ(result.exit_code, 0) << result.err;
   }
-
-  /// The data that the page shows.
-  [[nodiscard]] nlohmann::json data_of(const std::string& report) const {
-    const std::string page = read(path(report));
-    const std::string open = "id=\"report-data\">";
-    const std::size_t begin = page.find(open) + open.size();
-    return nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
-  }
 };
 
 TEST_F(Report, RunWritesThePageAndTheFiguresOfThePaper) {

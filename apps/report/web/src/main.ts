@@ -9,6 +9,7 @@ import { State } from './state';
 import { append, button, h, replace, tabs } from './ui/dom';
 import { fixed, percent, words } from './ui/format';
 import { themeButton } from './ui/theme';
+import { areas } from './views/areas';
 import { Acceptance, titleOf } from './views/acceptance';
 import { buildingsOf } from './views/buildings';
 import { Charts } from './views/charts';
@@ -72,6 +73,7 @@ class Page {
       ...messages(report),
       new Acceptance(this.state).element,
       ...head(report),
+      areas(report),
       h('section', { id: 'patch' }, this.patchHead, this.patchFacts,
         h('div', { class: 'views' }, this.scene.element, h('div', {}, hasImages(report) ? this.pair.element : null, this.reviewPanel.element, this.details.element)),
         new LineTable(this.state).element,

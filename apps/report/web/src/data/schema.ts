@@ -369,6 +369,17 @@ export interface GateResult {
   explanation?: string;
 }
 
+/** An area, and the figures of its lines (of the first line file). */
+export interface JudgedArea {
+  /** x_min, y_min, x_max, y_max. */
+  bounds_m: [number, number, number, number];
+  /** Its page, relative to this one; absent if it had none. */
+  page?: string;
+  n_lines: number;
+  n_evaluated: number;
+  rms_m: number | null;
+}
+
 export interface Report {
   schema: number;
   note: string;
@@ -382,6 +393,8 @@ export interface Report {
     warnings?: string[];
     /** Sentences on what the whole run came to that its tables do not tell. */
     messages?: string[];
+    /** Of pooled results: the areas that the lines were judged in. */
+    areas?: JudgedArea[];
   };
   gates: { passed: boolean; gates: GateResult[]; warnings: string[] } | null;
   table1: Table1Row[];
