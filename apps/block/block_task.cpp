@@ -2,7 +2,7 @@
 #include "apps/block/block_task.h"
 
 #include "apps/block/plan_block.h"
-#include "apps/pipeline/complete_patch.h"
+#include "apps/pipeline/decide_patch.h"
 #include "apps/pipeline/parameters.h"
 #include "apps/run/patch_stages.h"
 #include "apps/run/run_patches.h"
@@ -43,7 +43,7 @@ std::string BlockTask::key() const {
   std::vector<std::string> parts{
       patch_.id, patch_.crs.definition, echo(options_.parameters).dump(),
       fmt::format("{} {} {}", options_.max_image_mpx, options_.max_y_parallax_px,
-                  fmt::join(patch_.height_range_m, " "))};
+                  fmt::join(*patch_.height_range_m, " "))};
   for (const Eigen::Vector2d& corner : patch_.area_m)
     parts.push_back(fmt::format("{} {}", corner.x(), corner.y()));
   for (const reconstruct::Method method : options_.methods)
@@ -79,7 +79,7 @@ void BlockTask::run() const {
     record.know_hash(frame.path, frame.sha256);
   }
   io::PatchFile patch = patch_;
-  complete_patch(patch);
+  patch.images = decide_patch(patch_).images;
   const Eigen::AlignedBox2d area = box_around(patch.area_m);
   io::write_patch(
       patch_path(), patch,

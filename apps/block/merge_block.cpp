@@ -93,7 +93,7 @@ class BlockMerge {
   void write_results() {
     for (const Method method : options_.methods) write_lines(method);
     record_.end_stage("merge");
-    if (!block_.patch.lidar.empty()) judge();
+    if (!block_.lidar.empty()) judge();
   }
 
   void find_finished() {
@@ -141,8 +141,8 @@ class BlockMerge {
   }
 
   /// The frames of the block as a patch, so that image segments of the lines are evidence.
-  [[nodiscard]] io::PatchFile frames_as_patch() const {
-    io::PatchFile patch = block_.patch;
+  [[nodiscard]] io::Patch frames_as_patch() const {
+    io::Patch patch{static_cast<const io::Project&>(block_)};
     patch.height_range_m = plan_.patches.front().height_range_m;
     for (const PlannedPatch& planned : plan_.patches) {
       patch.height_range_m[0] = std::min(patch.height_range_m[0], planned.height_range_m[0]);
@@ -155,10 +155,10 @@ class BlockMerge {
     results::JudgeFilesOptions options;
     for (const Method method : options_.methods)
       options.line_paths.push_back(out_.path(PatchStages::line_file(method, ".geojson")));
-    options.cloud_paths = block_.patch.lidar;
+    options.cloud_paths = block_.lidar;
     options.patch = frames_as_patch();
     options.patch_name = plan_.block;
-    options.reference_lines = block_.patch.reference_lines;
+    options.reference_lines = block_.reference_lines;
     options.judge = options_.parameters.judge;
     options.summary = options_.summary;
     options.apply_shift = options_.shift.apply;
@@ -187,7 +187,7 @@ class BlockMerge {
   /// The lines of each patch, and of its neighbours, which lines that cross a seam may belong to.
   MethodResult split(const results::JudgedFiles& judged,
                      std::size_t method,
-                     const std::optional<io::PatchFile>& frames) const {
+                     const std::optional<io::Patch>& frames) const {
     MethodResult result{judged.evaluations[method], judged.truth[method], {}, {}, {}};
     const std::vector<evaluate::JudgedLine> lines =
         results::judged_lines_of(judged.line_sets[method], judged.frame, frames);
@@ -263,10 +263,10 @@ class BlockMerge {
   [[nodiscard]] std::map<GridCell, std::vector<evaluate::ReferenceLine>> references_by_patch(
       const LocalFrame& frame) const {
     std::map<GridCell, std::vector<evaluate::ReferenceLine>> by_patch;
-    if (!block_.patch.reference_lines) return by_patch;
+    if (!block_.reference_lines) return by_patch;
     const reconstruct::PatchGrid grid = grid_of(plan_);
     for (const evaluate::ReferenceLine& line :
-         results::reference_lines_of(io::read_lines(*block_.patch.reference_lines), frame)) {
+         results::reference_lines_of(io::read_lines(*block_.reference_lines), frame)) {
       const Eigen::Vector3d middle = frame.world_from_local(midpoint(line.segment));
       by_patch[grid.cell_of(middle.head<2>())].push_back(line);
     }

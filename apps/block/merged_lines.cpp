@@ -21,13 +21,13 @@ namespace ridgeline::apps {
 namespace {
 
 /// The pixels that a patch counts from the corner of its windows, in the whole frames.
-void count_from_frame(const io::PatchFile& patch, io::Line& line) {
-  line.observations = results::observations_of(line, patch);
+void count_from_frame(const std::vector<io::PatchImage>& images, io::Line& line) {
+  line.observations = results::observations_of(line, images);
   line.base_px.reset();
   line.other_px.reset();
   for (io::LineObservation& observation : line.observations) {
-    const auto image = std::ranges::find(patch.images, observation.image, &io::PatchImage::id);
-    if (image == patch.images.end()) continue;
+    const auto image = std::ranges::find(images, observation.image, &io::PatchImage::id);
+    if (image == images.end()) continue;
     observation.px.start += image->window_px;
     observation.px.end += image->window_px;
   }
@@ -39,7 +39,7 @@ struct LinesOfPatch {
 };
 
 LinesOfPatch read_lines_of(const FinishedPatch& finished) {
-  const io::PatchFile patch = io::read_patch(finished.patch_path);
+  const std::vector<io::PatchImage> images = io::read_patch(finished.patch_path).images;
   io::LineSet set = io::read_lines(finished.lines_path);
   LinesOfPatch found;
   for (io::Line& line : set.lines) {
@@ -47,7 +47,7 @@ LinesOfPatch read_lines_of(const FinishedPatch& finished) {
       ++found.n_without_place;
       continue;
     }
-    count_from_frame(patch, line);
+    count_from_frame(images, line);
     line.id = fmt::format("{}/{}", finished.planned->id, line.id);
     if (!line.parent_id.empty())
       line.parent_id = fmt::format("{}/{}", finished.planned->id, line.parent_id);

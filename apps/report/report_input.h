@@ -75,7 +75,7 @@ struct ReportPatch {
   std::string subfolder;  ///< folder of its files in the results: "" or "PATCH/"
   LocalFrame frame;
   std::vector<ReportMethod> methods;
-  std::optional<io::PatchFile> patch;
+  std::optional<io::Patch> patch;
   std::optional<ReportImages> images;
   ShownCloud cloud;
   /// Points of the pair's surface; empty if it has none.

@@ -17,7 +17,7 @@ std::vector<std::string> judged_files(const RunOptions& options);
 class JudgedPatch {
  public:
   /// Throws IoError for reference lines that cannot be read or have another CRS than the patch.
-  JudgedPatch(const CheckedPatch& patch,
+  JudgedPatch(const io::Patch& patch,
               const RunOptions& options,
               const results::OutputFolder& out,
               results::RunRecord& record);
@@ -37,8 +37,7 @@ class JudgedPatch {
   [[nodiscard]] std::vector<evaluate::JudgedLine> lines_of(reconstruct::Method method) const;
   [[nodiscard]] std::string line_path(reconstruct::Method method) const;
 
-  const io::PatchFile& patch_;
-  const LocalFrame& frame_;
+  const io::Patch& patch_;
   const RunOptions& options_;
   const results::OutputFolder& out_;
   results::RunRecord& record_;

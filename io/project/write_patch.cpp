@@ -95,13 +95,13 @@ void emit(const char* key, const std::optional<std::string>& file, YAML::Emitter
 
 /// The files of segments that another detector found, by image.
 void emit_segments(const PatchFile& patch, YAML::Emitter& yaml) {
-  if (std::ranges::none_of(patch.images,
-                           [](const auto& image) { return image.segments.has_value(); }))
-    return;
+  const auto with_segments = std::ranges::find_if(
+      patch.images, [](const auto& image) { return image.segments.has_value(); });
+  if (with_segments == patch.images.end()) return;
   yaml << YAML::Key << "segments" << YAML::Value << YAML::BeginMap;
   for (const PatchImage& image : patch.images) emit(image.id.c_str(), image.segments, yaml);
   yaml << YAML::EndMap;
-  yaml << YAML::Key << "segment_sigma_px" << YAML::Value << patch.segment_sigma_px;
+  yaml << YAML::Key << "segment_sigma_px" << YAML::Value << with_segments->segment_sigma_px;
 }
 
 void emit(const PatchKeys& keys, YAML::Emitter& yaml) {
@@ -116,11 +116,12 @@ void emit(const PatchKeys& keys, YAML::Emitter& yaml) {
 }  // namespace
 
 void write_patch(const std::string& path, const PatchFile& patch, const PatchKeys& keys) {
+  check(patch.height_range_m.has_value(), "write_patch: the heights must be stated");
   YAML::Emitter yaml;
   yaml.SetDoublePrecision(kLossless);
   yaml << YAML::BeginMap << YAML::Key << "id" << YAML::Value << YAML::DoubleQuoted << patch.id;
   if (patch.crs.known()) yaml << YAML::Key << "crs" << YAML::Value << patch.crs.definition;
-  emit_numbers("height_range", patch.height_range_m, yaml);
+  emit_numbers("height_range", *patch.height_range_m, yaml);
   emit(keys, yaml);
   yaml << YAML::Key << "images" << YAML::Value << YAML::BeginSeq;
   for (const PatchImage& image : patch.images) emit(image, keys.orientation.empty(), yaml);

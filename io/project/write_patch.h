@@ -20,8 +20,8 @@ struct PatchKeys {
 /// Writes a patch file that read_patch() takes back without loss; paths are written as they stand
 /// in `patch`. Whole or not at all. Images have their interior and exterior orientations if they
 /// state these, with window_px, else their matrices; with `orientation` nothing but their paths.
-/// Throws IoError if the file cannot be written, std::invalid_argument for an image with an
-/// interior orientation that has no size or no exterior one.
+/// Throws IoError if the file cannot be written, std::invalid_argument for a patch without heights
+/// and for an image with an interior orientation that has no size or no exterior one.
 void write_patch(const std::string& path, const PatchFile& patch, const PatchKeys& keys = {});
 
 }  // namespace ridgeline::io

@@ -35,7 +35,7 @@ TEST(WritePatch, IsReadBackWithoutLoss) {
   const std::string path = folder.file("patch.yaml");
   PatchFile written = sample_patch();
   written.images[1].segments = "lsd.right.csv";
-  written.segment_sigma_px = 0.25;
+  written.images[1].segment_sigma_px = 0.25;
   write_patch(path, written);
   const PatchFile read = read_patch(path);
   EXPECT_EQ(read.id, written.id);
@@ -50,7 +50,7 @@ TEST(WritePatch, IsReadBackWithoutLoss) {
   EXPECT_THAT(read.lidar, ::testing::SizeIs(1));
   EXPECT_EQ(read.images[0].segments, std::nullopt);
   EXPECT_EQ(read.images[1].segments, folder.file("lsd.right.csv"));
-  EXPECT_EQ(read.segment_sigma_px, 0.25);
+  EXPECT_EQ(read.images[1].segment_sigma_px, 0.25);
   EXPECT_EQ(read.reference_matches, folder.file("matches.csv"));
   EXPECT_EQ(read.reference_tracks, folder.file("tracks.csv"));
   EXPECT_EQ(read.reference_lines, folder.file("truth.geojson"));

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/pipeline/complete_patch.h"
+#include "apps/pipeline/decide_patch.h"
 
 #include "apps/pipeline/area_heights.h"
 #include "apps/pipeline/area_views.h"
 #include "io/error.h"
 #include "reconstruct/geometry/transformed.h"
+#include "reconstruct/scene/scene.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,20 +19,22 @@ std::vector<std::string> ids_of(const std::vector<io::PatchImage>& images) {
   return transformed(images, &io::PatchImage::id);
 }
 
-void settle_heights(io::PatchFile& patch) {
-  if (patch.heights == io::HeightSource::kStated) return;
-  const AreaHeights heights = area_heights(patch);
-  patch.height_range_m = heights.range_m;
+void settle_heights(const io::PatchFile& file, io::Patch& patch) {
+  if (file.height_range_m) {
+    patch.height_range_m = *file.height_range_m;
+    return;
+  }
+  const std::vector<double> heights_m = area_heights_m(file);
+  patch.height_range_m = height_range_m(heights_m);
   patch.decisions.push_back(fmt::format(
       "{}: height_range: auto is {:.1f} to {:.1f} m, the range of {} {} with a margin of {:g} m",
-      patch.path, heights.range_m[0], heights.range_m[1], heights.n,
-      patch.heights == io::HeightSource::kLidar ? "LIDAR points" : "cells of the surface model",
-      kHeightMargin_m));
+      patch.path, patch.height_range_m[0], patch.height_range_m[1], heights_m.size(),
+      patch.surface_model ? "cells of the surface model" : "LIDAR points", kHeightMargin_m));
 }
 
-void warn_of_missing_files(io::PatchFile& patch) {
+void warn_of_missing_files(const std::vector<io::PatchImage>& missing, io::Patch& patch) {
   constexpr std::size_t kNamed = 3;
-  std::vector<std::string> names = ids_of(images_without_file(patch));
+  std::vector<std::string> names = ids_of(missing);
   if (names.empty()) return;
   const std::size_t n = names.size();
   names.resize(std::min(n, kNamed));
@@ -41,17 +44,18 @@ void warn_of_missing_files(io::PatchFile& patch) {
                   patch.path, n, fmt::join(names, ", "), n > kNamed ? ", ..." : ""));
 }
 
-void choose_images(io::PatchFile& patch) {
-  const std::size_t n = patch.images.size();
-  std::vector<io::PatchImage> best = best_images(patch);
-  warn_of_missing_files(patch);
-  if (best.size() < 2) {
+void choose_images(const io::PatchFile& file, const SearchedPlace& place, io::Patch& patch) {
+  patch.images = best_images(file.images, *file.max_views, place);
+  patch.images_are_chosen = true;
+  warn_of_missing_files(images_that_show(place, file.without_file), patch);
+  const std::size_t n = file.images.size();
+  if (patch.images.size() < 2) {
     throw io::IoError(
-        patch.path, fmt::format("area: only {} of {} images show it at heights of {:.1f} to {:.1f} "
-                                "m; at least two are required",
-                                best.size(), n, patch.height_range_m[0], patch.height_range_m[1]));
+        patch.path,
+        fmt::format("area: only {} of {} images show it at heights of {:.1f} to {:.1f} "
+                    "m; at least two are required",
+                    patch.images.size(), n, patch.height_range_m[0], patch.height_range_m[1]));
   }
-  patch.images = std::move(best);
   patch.decisions.push_back(fmt::format("{}: images of the area, {} of {}: {}", patch.path,
                                         patch.images.size(), n,
                                         fmt::join(ids_of(patch.images), ", ")));
@@ -67,14 +71,14 @@ void read_facts(io::PatchImage& image) {
 }
 
 /// Turns the pixels if they fit the camera then, and not as they are stored.
-void settle_turn(io::PatchFile& patch, io::PatchImage& image) {
+void settle_turn(io::PatchImage& image, std::vector<std::string>& decisions) {
   if (!image.facts || !image.interior || !image.interior->size_px) return;
   const Eigen::Vector2i stored(image.facts->width_px, image.facts->height_px);
   const Eigen::Vector2i frame = *image.interior->size_px;
   const bool fits_turned = swaps_axes(image.facts->turn) && frame == stored.reverse();
   if (frame == stored || !fits_turned) return;
   image.turn = image.facts->turn;
-  patch.decisions.push_back(
+  decisions.push_back(
       fmt::format("{}: rotated according to its EXIF orientation {}, because only then it matches "
                   "its camera of {} x {} pixels",
                   image.path, static_cast<int>(image.turn), frame.x(), frame.y()));
@@ -82,22 +86,32 @@ void settle_turn(io::PatchFile& patch, io::PatchImage& image) {
 
 /// Columns and rows of a file when it has been turned; of a file that is missing those of its
 /// camera. Throws IoError if nothing tells them.
-Eigen::Vector2i turned_size_px(const io::PatchImage& image) {
+Eigen::Vector2i size_px_of_file(const io::PatchImage& image) {
   if (!image.facts && image.interior && image.interior->size_px) return *image.interior->size_px;
-  const io::ImageFacts facts = image.facts ? *image.facts : io::image_facts(image.path);
-  const Eigen::Vector2i stored(facts.width_px, facts.height_px);
-  return swaps_axes(image.turn) ? Eigen::Vector2i(stored.reverse()) : stored;
+  return turned_size_px(image, image.facts ? *image.facts : io::image_facts(image.path));
 }
 
-void settle_window(io::PatchFile& patch, io::PatchImage& image) {
-  if (patch.area_m.empty() || image.window) return;
-  const std::optional<io::Window> window = window_of_area(patch, image, turned_size_px(image));
+void settle_window(const SearchedPlace& place, const std::string& path, io::PatchImage& image) {
+  if (place.area_m.empty() || image.window) return;
+  const std::optional<io::Window> window = window_of_area(place, image, size_px_of_file(image));
   if (!window) {
     throw io::IoError(
-        patch.path, fmt::format("image {} does not show the area at heights of {:.1f} to {:.1f} m",
-                                image.id, patch.height_range_m[0], patch.height_range_m[1]));
+        path, fmt::format("image {} does not show the area at heights of {:.1f} to {:.1f} m",
+                          image.id, place.height_range_m[0], place.height_range_m[1]));
   }
   io::read_window_only(image, *window);
+}
+
+LocalFrame frame_of(const io::Patch& patch) {
+  const io::PatchImage& base = patch.images.front();
+  Eigen::Vector2i size_px = Eigen::Vector2i::Zero();
+  if (base.window) {
+    size_px = {base.window->width, base.window->height};
+  } else if (base.facts || (base.interior && base.interior->size_px)) {
+    size_px = size_px_of_file(base);
+  }
+  return reconstruct::local_frame(base.image_from_world, size_px.cast<double>(),
+                                  patch.height_range_m);
 }
 
 /// The blocks of the radiometry of a large JPEG 2000 take a good part of a minute.
@@ -107,7 +121,7 @@ bool finds_radiometry_slowly(const io::PatchImage& image) {
          double(image.facts->width_px) * image.facts->height_px > kMuch_px;
 }
 
-void warn_of_slow_files(io::PatchFile& patch) {
+void warn_of_slow_files(io::Patch& patch) {
   for (const io::PatchImage& image : patch.images) {
     if (!image.window || !image.facts) continue;
     const auto slow = io::slow_reading(
@@ -124,15 +138,21 @@ void warn_of_slow_files(io::PatchFile& patch) {
 
 }  // namespace
 
-void complete_patch(io::PatchFile& patch) {
-  settle_heights(patch);
-  if (patch.chooses_images) choose_images(patch);
+io::Patch decide_patch(const io::PatchFile& file) {
+  io::Patch patch{static_cast<const io::Project&>(file)};
+  patch.reference_matches = file.reference_matches;
+  patch.reference_tracks = file.reference_tracks;
+  settle_heights(file, patch);
+  const SearchedPlace place{file.area_m, patch.height_range_m};
+  if (file.max_views) choose_images(file, place, patch);
   for (io::PatchImage& image : patch.images) {
     read_facts(image);
-    settle_turn(patch, image);
-    settle_window(patch, image);
+    settle_turn(image, patch.decisions);
+    settle_window(place, patch.path, image);
   }
+  patch.frame = frame_of(patch);
   warn_of_slow_files(patch);
+  return patch;
 }
 
 }  // namespace ridgeline::apps
