@@ -32,6 +32,7 @@ BlockTask::BlockTask(const fs::path& folder,
                      const PlannedPatch& planned,
                      const RunOptions& options)
     : folder_(folder / "tasks" / planned.id),
+      planned_(planned),
       options_(options),
       patch_(patch_of(block, plan, planned)) {
   for (const std::string& id : planned.images)

@@ -6,6 +6,7 @@
 #include "apps/block/patch_table.h"
 #include "apps/common/outcome.h"
 #include "apps/common/say.h"
+#include "apps/run/judge_patch.h"
 #include "apps/run/patch_stages.h"
 #include "evaluate/files/judge_files.h"
 #include "evaluate/files/write_results.h"
@@ -114,11 +115,9 @@ class BlockMerge {
   }
 
   void write_lines(Method method) {
-    std::vector<FinishedPatch> finished;
-    for (std::size_t i = 0; i < tasks_.size(); ++i) {
-      if (!reasons_[i].empty()) continue;
-      finished.push_back({&plan_.patches[i], tasks_[i].patch_path(), tasks_[i].lines_path(method)});
-    }
+    std::vector<const BlockTask*> finished;
+    for (std::size_t i = 0; i < tasks_.size(); ++i)
+      if (reasons_[i].empty()) finished.push_back(&tasks_[i]);
     std::vector<std::unique_ptr<io::LineWriter>> writers;
     for (const auto& [format, extension] : {std::pair(io::LineFormat::kGeoJson, ".geojson"),
                                             std::pair(io::LineFormat::kGeoPackage, ".gpkg")}) {
@@ -127,7 +126,7 @@ class BlockMerge {
     }
     std::vector<std::size_t>& patch_of_line = patch_of_line_.emplace_back();
     const MergedCounts counts =
-        merge_lines_of(plan_, finished, [&](const io::Line& line, std::size_t patch) {
+        merge_lines_of(plan_, finished, method, [&](const io::Line& line, std::size_t patch) {
           for (const auto& writer : writers) writer->add(line);
           patch_of_line.push_back(patch);
         });
@@ -143,6 +142,7 @@ class BlockMerge {
   /// The frames of the block as a patch, so that image segments of the lines are evidence.
   [[nodiscard]] io::Patch frames_as_patch() const {
     io::Patch patch{static_cast<const io::Project&>(block_)};
+    patch.id = plan_.block;
     patch.height_range_m = plan_.patches.front().height_range_m;
     for (const PlannedPatch& planned : plan_.patches) {
       patch.height_range_m[0] = std::min(patch.height_range_m[0], planned.height_range_m[0]);
@@ -152,18 +152,8 @@ class BlockMerge {
   }
 
   void judge() {
-    results::JudgeFilesOptions options;
-    for (const Method method : options_.methods)
-      options.line_paths.push_back(out_.path(PatchStages::line_file(method, ".geojson")));
-    options.cloud_paths = block_.lidar;
-    options.patch = frames_as_patch();
-    options.patch_name = plan_.block;
+    results::JudgeFilesOptions options = judge_options(frames_as_patch(), options_, out_, "");
     options.reference_lines = block_.reference_lines;
-    options.judge = options_.parameters.judge;
-    options.summary = options_.summary;
-    options.apply_shift = options_.shift.apply;
-    options.geoid = options_.shift.geoid;
-    options.n_decoys = options_.n_decoys;
     results::JudgedFiles judged = results::judge_files(options, record_);
     warn_of(judged.warnings);
     record_.add_warnings(judged.warnings);

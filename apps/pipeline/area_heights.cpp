@@ -16,42 +16,22 @@
 namespace ridgeline::apps {
 namespace {
 
-/// An image of the patch as far as it matters what it shows.
-struct PlacedFrame {
-  ProjectionMatrix image_from_world;
-  Eigen::Vector2d size_px;
-};
-
-std::vector<PlacedFrame> frames_of(const io::PatchFile& patch) {
-  std::vector<PlacedFrame> frames;
-  for (const io::PatchImage& image : patch.images) {
+/// The images of a patch, each with the window that is read of it, of a whole file all of it.
+std::vector<io::PatchImage> images_with_windows(const io::PatchFile& patch) {
+  std::vector<io::PatchImage> images = patch.images;
+  for (io::PatchImage& image : images) {
     const io::ImageFacts facts = io::image_facts(image.path);
-    frames.push_back({image.image_from_world,
-                      image.window ? Eigen::Vector2d(image.window->width, image.window->height)
-                                   : Eigen::Vector2d(facts.width_px, facts.height_px)});
+    if (!image.window) image.window = io::Window{0, 0, facts.width_px, facts.height_px};
   }
-  return frames;
+  return images;
 }
 
-bool two_show(const std::vector<PlacedFrame>& frames, const Eigen::Vector3d& x) {
-  return 1 < std::ranges::count_if(frames, [&](const PlacedFrame& frame) {
-           const Eigen::Vector2d px = (frame.image_from_world * x.homogeneous()).hnormalized();
-           return px.x() >= 0.0 && px.y() >= 0.0 && px.x() < frame.size_px.x() &&
-                  px.y() < frame.size_px.y();
+bool two_show(const std::vector<io::PatchImage>& images, const Eigen::Vector3d& x) {
+  return 1 < std::ranges::count_if(images, [&](const io::PatchImage& image) {
+           const Eigen::Vector2d px = (image.image_from_world * x.homogeneous()).hnormalized();
+           return px.x() >= 0.0 && px.y() >= 0.0 && px.x() < image.window->width &&
+                  px.y() < image.window->height;
          });
-}
-
-std::vector<double> heights_of(const io::PatchFile& patch,
-                               const std::vector<Eigen::Vector3d>& points) {
-  const std::vector<PlacedFrame> frames =
-      patch.area_m.empty() ? frames_of(patch) : std::vector<PlacedFrame>();
-  std::vector<double> heights;
-  for (const Eigen::Vector3d& x : points) {
-    const bool counts =
-        patch.area_m.empty() ? two_show(frames, x) : is_within(patch.area_m, x.head<2>());
-    if (counts) heights.push_back(x.z());
-  }
-  return heights;
 }
 
 }  // namespace
@@ -125,9 +105,16 @@ std::vector<double> model_heights_m(const io::ProjectFile& project,
 std::vector<double> area_heights_m(const io::PatchFile& patch) {
   if (patch.surface_model) return model_heights_m(patch, patch.area_m);
   const LidarSample lidar = lidar_sample(patch);
-  std::vector<double> heights_m = heights_of(patch, lidar.points_in_world);
+  const bool has_area = !patch.area_m.empty();
+  const std::vector<io::PatchImage> images =
+      has_area ? std::vector<io::PatchImage>() : images_with_windows(patch);
+  std::vector<double> heights_m;
+  for (const Eigen::Vector3d& x : lidar.points_in_world) {
+    if (has_area ? is_within(patch.area_m, x.head<2>()) : two_show(images, x))
+      heights_m.push_back(x.z());
+  }
   if (heights_m.empty())
-    refuse_lidar(patch, lidar, patch.area_m.empty() ? "where two images show it" : "in the area");
+    refuse_lidar(patch, lidar, has_area ? "in the area" : "where two images show it");
   return heights_m;
 }
 

@@ -2,6 +2,7 @@
 #include "apps/pipeline/area_views.h"
 
 #include "io/images/image.h"
+#include "reconstruct/geometry/transformed.h"
 #include "reconstruct/scene/choose_views.h"
 
 #include <Eigen/Dense>
@@ -22,6 +23,17 @@ Eigen::Vector3d middle_of(const SearchedPlace& place) {
   return {middle.x(), middle.y(), 0.5 * (place.height_range_m[0] + place.height_range_m[1])};
 }
 
+/// The corners of an area and points between them, `per_side` on each side with its first corner.
+std::vector<Eigen::Vector2d> border_of(const std::vector<Eigen::Vector2d>& corners, int per_side) {
+  std::vector<Eigen::Vector2d> border;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector2d side = corners[(i + 1) % corners.size()] - corners[i];
+    for (int k = 0; k < per_side; ++k)
+      border.emplace_back(corners[i] + static_cast<double>(k) / per_side * side);
+  }
+  return border;
+}
+
 /// Points spread over the area at the middle of the heights, from there: on three rings of the
 /// shape of its border, and in its middle.
 Points points_in_local(const SearchedPlace& place) {
@@ -29,16 +41,14 @@ Points points_in_local(const SearchedPlace& place) {
   constexpr int kPerSide = 4;
   Points points{Eigen::Vector3d::Zero()};
   const Eigen::Vector2d middle = middle_of(place).head<2>();
-  const auto& corners = place.area_m;
+  const std::vector<Eigen::Vector2d> border = border_of(
+      transformed(place.area_m,
+                  [&](const Eigen::Vector2d& x) -> Eigen::Vector2d { return x - middle; }),
+      kPerSide);
   for (int ring = 1; ring <= kRings; ++ring) {
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Eigen::Vector2d a = corners[i] - middle;
-      const Eigen::Vector2d b = corners[(i + 1) % corners.size()] - middle;
-      for (int k = 0; k < kPerSide; ++k) {
-        const double share = static_cast<double>(k) / kPerSide;
-        const Eigen::Vector2d x = static_cast<double>(ring) / kRings * (a + share * (b - a));
-        points.emplace_back(x.x(), x.y(), 0.0);
-      }
+    for (const Eigen::Vector2d& outer : border) {
+      const Eigen::Vector2d x = static_cast<double>(ring) / kRings * outer;
+      points.emplace_back(x.x(), x.y(), 0.0);
     }
   }
   return points;
@@ -69,24 +79,6 @@ std::optional<Eigen::Vector2d> shown_at(const io::PatchImage& image,
       y.hnormalized().cwiseMax(-reach).cwiseMin(size_px.cast<double>() + reach);
   if (!image.interior || image.interior->distortion.is_zero()) return ideal;
   return distorted_px(*image.interior, ideal + image.window_px) - image.window_px;
-}
-
-/// The corners of the area and points between them, as a lens bends its sides, at the lowest and
-/// the highest height.
-Points border_in_local(const SearchedPlace& place, const Eigen::Vector3d& origin_m) {
-  constexpr int kPerSide = 8;
-  Points border;
-  const auto& corners = place.area_m;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    for (int k = 0; k < kPerSide; ++k) {
-      const double share = static_cast<double>(k) / kPerSide;
-      const Eigen::Vector2d x =
-          corners[i] + share * (corners[(i + 1) % corners.size()] - corners[i]);
-      for (const double z : place.height_range_m)
-        border.push_back(Eigen::Vector3d(x.x(), x.y(), z) - origin_m);
-    }
-  }
-  return border;
 }
 
 }  // namespace
@@ -123,14 +115,18 @@ std::optional<io::Window> window_of_area(const SearchedPlace& place,
                                          const io::PatchImage& image,
                                          const Eigen::Vector2i& size_px) {
   constexpr double kMargin_px = 32.0;
+  constexpr int kPerSide = 8;  // as a lens bends the sides
   const Eigen::Vector3d origin_m = middle_of(place);
   const ProjectionMatrix P = image_from_local(image.image_from_world, origin_m);
   Eigen::AlignedBox2d box;
-  for (const Eigen::Vector3d& x : border_in_local(place, origin_m)) {
-    const std::optional<Eigen::Vector2d> at = shown_at(image, P, x, size_px);
-    // A part of the area lies behind an oblique camera: nothing bounds what the image shows of it.
-    if (!at) return io::Window{0, 0, size_px.x(), size_px.y()};
-    box.extend(*at);
+  for (const Eigen::Vector2d& corner : border_of(place.area_m, kPerSide)) {
+    for (const double z : place.height_range_m) {
+      const Eigen::Vector3d x = Eigen::Vector3d(corner.x(), corner.y(), z) - origin_m;
+      const std::optional<Eigen::Vector2d> at = shown_at(image, P, x, size_px);
+      // A part of the area lies behind an oblique camera: nothing bounds what the image shows of it
+      if (!at) return io::Window{0, 0, size_px.x(), size_px.y()};
+      box.extend(*at);
+    }
   }
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kMargin_px);
   const Eigen::Vector2d zero = Eigen::Vector2d::Zero();

@@ -39,6 +39,24 @@ std::vector<evaluate::JudgedLine> as_judged(std::vector<evaluate::JudgedLine> li
 
 }  // namespace
 
+results::JudgeFilesOptions judge_options(const io::Patch& patch,
+                                         const RunOptions& options,
+                                         const results::OutputFolder& out,
+                                         const std::string& subfolder) {
+  results::JudgeFilesOptions judged;
+  for (const Method method : options.methods)
+    judged.line_paths.push_back(out.path(subfolder + PatchStages::line_file(method)));
+  judged.cloud_paths = patch.lidar;
+  judged.patch = patch;
+  judged.patch_name = patch.id;
+  judged.judge = options.parameters.judge;
+  judged.summary = options.summary;
+  judged.apply_shift = options.shift.apply;
+  judged.geoid = options.shift.geoid;
+  judged.n_decoys = options.n_decoys;
+  return judged;
+}
+
 JudgedPatch::JudgedPatch(const io::Patch& patch,
                          const RunOptions& options,
                          const results::OutputFolder& out,
@@ -90,18 +108,9 @@ void JudgedPatch::read(PatchResult& result) const {
 }
 
 results::JudgedFiles JudgedPatch::against_lidar() const {
-  results::JudgeFilesOptions options;
-  for (const Method method : options_.methods) options.line_paths.push_back(line_path(method));
-  options.cloud_paths = patch_.lidar;
-  options.patch = patch_;
-  options.patch_name = patch_.id;
+  results::JudgeFilesOptions options = judge_options(patch_, options_, out_, patch_.id + "/");
   options.cloud.frame = patch_.frame;
   options.cloud.assume_crs = options_.assume_crs;
-  options.judge = options_.parameters.judge;
-  options.summary = options_.summary;
-  options.apply_shift = options_.shift.apply;
-  options.geoid = options_.shift.geoid;
-  options.n_decoys = options_.n_decoys;
   options.refuse_other_places = false;
   results::JudgedFiles judged = results::judge_files(options, record_);
   record_.add_warnings(judged.warnings);

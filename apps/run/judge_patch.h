@@ -13,6 +13,13 @@ namespace ridgeline::apps {
 /// The files of the judgement, in the patch's folder.
 std::vector<std::string> judged_files(const RunOptions& options);
 
+/// How the lines of a patch are judged that a run wrote into the `subfolder` of `out` ("" or ending
+/// in a slash), by all methods together.
+results::JudgeFilesOptions judge_options(const io::Patch& patch,
+                                         const RunOptions& options,
+                                         const results::OutputFolder& out,
+                                         const std::string& subfolder);
+
 /// The lines of a patch by all methods: they are judged together, so that the cloud is read once.
 class JudgedPatch {
  public:

@@ -37,11 +37,6 @@ void read_window_only(PatchImage& image, const Window& window) {
   image.image_from_world = window_from_world(image.image_from_world, corner);
 }
 
-std::array<ProjectionMatrix, 2> cameras_in_local(const Patch& patch, const LocalFrame& frame) {
-  return {image_from_local(patch.images[0].image_from_world, frame.origin_m),
-          image_from_local(patch.images[1].image_from_world, frame.origin_m)};
-}
-
 std::array<double, 2> heights_in_local_m(const Patch& patch, const LocalFrame& frame) {
   return {patch.height_range_m[0] - frame.origin_m.z(),
           patch.height_range_m[1] - frame.origin_m.z()};

@@ -108,8 +108,7 @@ struct Patch : Project {
   bool images_are_chosen = false;  ///< from those of the file, which tracks may name, too
 };
 
-/// Cameras of the pair, the first two images, and the range of heights in the local frame.
-std::array<ProjectionMatrix, 2> cameras_in_local(const Patch& patch, const LocalFrame& frame);
+/// The range of heights in a local frame.
 std::array<double, 2> heights_in_local_m(const Patch& patch, const LocalFrame& frame);
 
 /// The files of Orientation::images, where they are known.

@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 #include <string_view>
@@ -30,11 +29,8 @@ bool in_one_place(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return (a - b).norm() <= kRelativeTolerance * a.norm();
 }
 
-/// What a file of images is: a patch, or a block of frames that patches are cut out of.
-enum class ProjectKind : std::uint8_t { kPatch, kBlock };
-
-std::vector<std::string_view> keys_of(ProjectKind kind) {
-  const bool is_block = kind == ProjectKind::kBlock;
+/// The keys of a patch file, or of a block file.
+std::vector<std::string_view> keys_of(bool is_block) {
   std::vector<std::string_view> keys{is_block ? "block" : "id",
                                      "crs",
                                      "height_range",
@@ -62,13 +58,13 @@ std::vector<std::string_view> keys_of(ProjectKind kind) {
 
 class PatchReader {
  public:
-  PatchReader(const std::string& path, ProjectKind kind)
+  PatchReader(const std::string& path, bool is_block)
       : path_(path),
         folder_(std::filesystem::path(path).parent_path()),
-        kind_(kind),
+        is_block_(is_block),
         map_(path,
-             load_yaml(path, is_block() ? FileGroup::kBlock : FileGroup::kPatch),
-             keys_of(kind)) {}
+             load_yaml(path, is_block ? FileGroup::kBlock : FileGroup::kPatch),
+             keys_of(is_block)) {}
 
   [[nodiscard]] PatchFile read(const FindPatchPoints& find) {
     PatchFile patch;
@@ -102,7 +98,7 @@ class PatchReader {
   /// All but reference data.
   void read_project(const FindPatchPoints& find, ProjectFile& project) {
     project.path = path_;
-    project.id = map_.text(is_block() ? "block" : "id");
+    project.id = map_.text(is_block_ ? "block" : "id");
     project.crs = stated_crs(map_);
     if (map_.has("lidar")) {
       for (const std::string& file : map_.texts("lidar")) project.lidar.push_back(resolved(file));
@@ -114,8 +110,6 @@ class PatchReader {
     check_images(project);
     read_segments(project);
   }
-
-  [[nodiscard]] bool is_block() const { return kind_ == ProjectKind::kBlock; }
 
   [[nodiscard]] double length_m(const char* key, double least, double most) const {
     const double value = map_.number(key);
@@ -201,7 +195,7 @@ class PatchReader {
     if (map_.has("area") && map_.node("area").IsScalar())
       project.area_file = resolved(map_.text("area"));
     if (!map_.has("max_views")) return;
-    if (project.area_m.empty() && !is_block()) {
+    if (project.area_m.empty() && !is_block_) {
       map_.fail("max_views", "max_views requires area, whose best images it selects");
     }
     const double most = map_.number("max_views");
@@ -217,11 +211,11 @@ class PatchReader {
     if (map_.has("images") == map_.has("colmap")) {
       map_.fail("images", "exactly one of the keys images and colmap is required");
     }
-    if (is_block() && map_.has("images") && !names_files(map_)) {
+    if (is_block_ && map_.has("images") && !names_files(map_)) {
       map_.fail("images", "the images of a block must be a folder or file patterns");
     }
     const bool are_candidates =
-        is_block() || (!project.area_m.empty() && (map_.has("colmap") || names_files(map_)));
+        is_block_ || (!project.area_m.empty() && (map_.has("colmap") || names_files(map_)));
     if (map_.has("max_views") && !are_candidates) {
       map_.fail("max_views",
                 "max_views requires images given by folder or pattern, or colmap; images listed "
@@ -341,7 +335,7 @@ class PatchReader {
 
   std::string path_;
   std::filesystem::path folder_;
-  ProjectKind kind_;
+  bool is_block_;  ///< else the file is that of a patch
   YamlMap map_;
   std::optional<PatchOrientation> orientation_;
 };
@@ -349,11 +343,11 @@ class PatchReader {
 }  // namespace
 
 PatchFile read_patch(const std::string& path, const FindPatchPoints& find) {
-  return PatchReader(path, ProjectKind::kPatch).read(find);
+  return PatchReader(path, false).read(find);
 }
 
 BlockFile read_block_file(const std::string& path, const FindPatchPoints& find) {
-  return PatchReader(path, ProjectKind::kBlock).read_block(find);
+  return PatchReader(path, true).read_block(find);
 }
 
 }  // namespace ridgeline::io
