@@ -9,14 +9,12 @@
 #include "io/files/atomic_file.h"
 #include "io/files/text_file.h"
 #include "io/project/write_patch.h"
-#include "reconstruct/geometry/plan_box.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 
 namespace ridgeline::apps {
 namespace fs = std::filesystem;
@@ -81,10 +79,7 @@ void BlockTask::run() const {
   }
   io::PatchFile patch = patch_;
   patch.images = decide_patch(patch_).images;
-  const Eigen::AlignedBox2d area = box_around(patch.area_m);
-  io::write_patch(
-      patch_path(), patch,
-      {.area_m = std::array{area.min().x(), area.min().y(), area.max().x(), area.max().y()}});
+  io::write_patch(patch_path(), patch);
   (void)write_patches({patch_path()}, options, folder_.string(), record);
   MadeFrom(folder_).set_done(kStage, key(), line_files());
   fs::remove(path("failed.txt"));

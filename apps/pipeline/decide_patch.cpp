@@ -11,54 +11,58 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
 
 namespace ridgeline::apps {
 namespace {
 
-std::vector<std::string> ids_of(const std::vector<io::PatchImage>& images) {
+using Texts = std::vector<std::string>;
+
+Texts ids_of(const std::vector<io::PatchImage>& images) {
   return transformed(images, &io::PatchImage::id);
 }
 
-void settle_heights(const io::PatchFile& file, io::Patch& patch) {
-  if (file.height_range_m) {
-    patch.height_range_m = *file.height_range_m;
-    return;
-  }
+std::array<double, 2> decided_heights_m(const io::PatchFile& file, Texts& decisions) {
+  if (file.height_range_m) return *file.height_range_m;
   const std::vector<double> heights_m = area_heights_m(file);
-  patch.height_range_m = height_range_m(heights_m);
-  patch.decisions.push_back(fmt::format(
+  const auto range_m = height_range_m(heights_m);
+  decisions.push_back(fmt::format(
       "{}: height_range: auto is {:.1f} to {:.1f} m, the range of {} {} with a margin of {:g} m",
-      patch.path, patch.height_range_m[0], patch.height_range_m[1], heights_m.size(),
-      patch.surface_model ? "cells of the surface model" : "LIDAR points", kHeightMargin_m));
+      file.path, range_m[0], range_m[1], heights_m.size(),
+      file.surface_model ? "cells of the surface model" : "LIDAR points", kHeightMargin_m));
+  return range_m;
 }
 
-void warn_of_missing_files(const std::vector<io::PatchImage>& missing, io::Patch& patch) {
+/// The images of a file that states candidates, and a decision that names them.
+std::vector<io::PatchImage> chosen_images(const io::PatchFile& file,
+                                          const SearchedPlace& place,
+                                          Texts& decisions) {
+  std::vector<io::PatchImage> best = best_images(file.images, *file.max_views, place);
+  const std::size_t n = file.images.size();
+  if (best.size() < 2) {
+    throw io::IoError(
+        file.path, fmt::format("area: only {} of {} images show it at heights of {:.1f} to {:.1f} "
+                               "m; at least two are required",
+                               best.size(), n, place.height_range_m[0], place.height_range_m[1]));
+  }
+  decisions.push_back(fmt::format("{}: images of the area, {} of {}: {}", file.path, best.size(), n,
+                                  fmt::join(ids_of(best), ", ")));
+  return best;
+}
+
+/// Warns of candidates without a file that show the area.
+void warn_of_missing_files(const io::PatchFile& file, const SearchedPlace& place, Texts& warnings) {
   constexpr std::size_t kNamed = 3;
-  std::vector<std::string> names = ids_of(missing);
+  Texts names = ids_of(images_that_show(place, file.without_file));
   if (names.empty()) return;
   const std::size_t n = names.size();
   names.resize(std::min(n, kNamed));
-  patch.warnings.push_back(
+  warnings.push_back(
       fmt::format("{}: {} more images of the orientation show the area but have no "
                   "file: {}{}",
-                  patch.path, n, fmt::join(names, ", "), n > kNamed ? ", ..." : ""));
-}
-
-void choose_images(const io::PatchFile& file, const SearchedPlace& place, io::Patch& patch) {
-  patch.images = best_images(file.images, *file.max_views, place);
-  patch.images_are_chosen = true;
-  warn_of_missing_files(images_that_show(place, file.without_file), patch);
-  const std::size_t n = file.images.size();
-  if (patch.images.size() < 2) {
-    throw io::IoError(
-        patch.path,
-        fmt::format("area: only {} of {} images show it at heights of {:.1f} to {:.1f} "
-                    "m; at least two are required",
-                    patch.images.size(), n, patch.height_range_m[0], patch.height_range_m[1]));
-  }
-  patch.decisions.push_back(fmt::format("{}: images of the area, {} of {}: {}", patch.path,
-                                        patch.images.size(), n,
-                                        fmt::join(ids_of(patch.images), ", ")));
+                  file.path, n, fmt::join(names, ", "), n > kNamed ? ", ..." : ""));
 }
 
 /// Reads the header of an image unless its file is missing, which is said when it is needed.
@@ -71,7 +75,7 @@ void read_facts(io::PatchImage& image) {
 }
 
 /// Turns the pixels if they fit the camera then, and not as they are stored.
-void settle_turn(io::PatchImage& image, std::vector<std::string>& decisions) {
+void settle_turn(io::PatchImage& image, Texts& decisions) {
   if (!image.facts || !image.interior || !image.interior->size_px) return;
   const Eigen::Vector2i stored(image.facts->width_px, image.facts->height_px);
   const Eigen::Vector2i frame = *image.interior->size_px;
@@ -102,16 +106,14 @@ void settle_window(const SearchedPlace& place, const std::string& path, io::Patc
   io::read_window_only(image, *window);
 }
 
-LocalFrame frame_of(const io::Patch& patch) {
-  const io::PatchImage& base = patch.images.front();
+LocalFrame frame_of(const io::PatchImage& base, const std::array<double, 2>& height_range_m) {
   Eigen::Vector2i size_px = Eigen::Vector2i::Zero();
   if (base.window) {
     size_px = {base.window->width, base.window->height};
   } else if (base.facts || (base.interior && base.interior->size_px)) {
     size_px = size_px_of_file(base);
   }
-  return reconstruct::local_frame(base.image_from_world, size_px.cast<double>(),
-                                  patch.height_range_m);
+  return reconstruct::local_frame(base.image_from_world, size_px.cast<double>(), height_range_m);
 }
 
 /// The blocks of the radiometry of a large JPEG 2000 take a good part of a minute.
@@ -121,15 +123,15 @@ bool finds_radiometry_slowly(const io::PatchImage& image) {
          double(image.facts->width_px) * image.facts->height_px > kMuch_px;
 }
 
-void warn_of_slow_files(io::Patch& patch) {
-  for (const io::PatchImage& image : patch.images) {
+void warn_of_slow_files(const std::vector<io::PatchImage>& images, Texts& warnings) {
+  for (const io::PatchImage& image : images) {
     if (!image.window || !image.facts) continue;
     const auto slow = io::slow_reading(
         image.path, io::stored_window(*image.window, image.turn, image.facts->width_px,
                                       image.facts->height_px));
-    if (slow) patch.warnings.push_back(*slow);
+    if (slow) warnings.push_back(*slow);
     if (!finds_radiometry_slowly(image)) continue;
-    patch.warnings.push_back(
+    warnings.push_back(
         fmt::format("{}: computing the radiometry of a large JPEG 2000 is slow; give it with the "
                     "key radiometry (ridgeline info {} prints it)",
                     image.path, image.path));
@@ -142,16 +144,20 @@ io::Patch decide_patch(const io::PatchFile& file) {
   io::Patch patch{static_cast<const io::Project&>(file)};
   patch.reference_matches = file.reference_matches;
   patch.reference_tracks = file.reference_tracks;
-  settle_heights(file, patch);
+  patch.height_range_m = decided_heights_m(file, patch.decisions);
   const SearchedPlace place{file.area_m, patch.height_range_m};
-  if (file.max_views) choose_images(file, place, patch);
+  if (file.max_views) {
+    patch.images = chosen_images(file, place, patch.decisions);
+    patch.images_are_chosen = true;
+    warn_of_missing_files(file, place, patch.warnings);
+  }
   for (io::PatchImage& image : patch.images) {
     read_facts(image);
     settle_turn(image, patch.decisions);
     settle_window(place, patch.path, image);
   }
-  patch.frame = frame_of(patch);
-  warn_of_slow_files(patch);
+  warn_of_slow_files(patch.images, patch.warnings);
+  patch.frame = frame_of(patch.images.front(), patch.height_range_m);
   return patch;
 }
 

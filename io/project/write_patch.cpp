@@ -4,6 +4,7 @@
 #include "io/files/atomic_file.h"
 #include "io/orientation/conventions.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/plan_box.h"
 
 #include <yaml-cpp/yaml.h>
 
@@ -104,8 +105,16 @@ void emit_segments(const PatchFile& patch, YAML::Emitter& yaml) {
   yaml << YAML::Key << "segment_sigma_px" << YAML::Value << with_segments->segment_sigma_px;
 }
 
+/// As bounds.
+void emit_area(const std::vector<Eigen::Vector2d>& area_m, YAML::Emitter& yaml) {
+  if (area_m.empty()) return;
+  const Eigen::AlignedBox2d box = box_around(area_m);
+  check(corners_of(box) == area_m, "write_patch: the area must be an upright rectangle");
+  emit_numbers("area", std::array{box.min().x(), box.min().y(), box.max().x(), box.max().y()},
+               yaml);
+}
+
 void emit(const PatchKeys& keys, YAML::Emitter& yaml) {
-  if (keys.area_m) emit_numbers("area", *keys.area_m, yaml);
   for (const auto& [key, word] :
        {std::pair("orientation", keys.orientation), std::pair("cameras", keys.cameras),
         std::pair("matrix", keys.matrix)}) {
@@ -122,6 +131,7 @@ void write_patch(const std::string& path, const PatchFile& patch, const PatchKey
   yaml << YAML::BeginMap << YAML::Key << "id" << YAML::Value << YAML::DoubleQuoted << patch.id;
   if (patch.crs.known()) yaml << YAML::Key << "crs" << YAML::Value << patch.crs.definition;
   emit_numbers("height_range", *patch.height_range_m, yaml);
+  emit_area(patch.area_m, yaml);
   emit(keys, yaml);
   yaml << YAML::Key << "images" << YAML::Value << YAML::BeginSeq;
   for (const PatchImage& image : patch.images) emit(image, keys.orientation.empty(), yaml);

@@ -61,8 +61,9 @@ TEST(WritePatch, NamesAnOrientationInPlaceOfMatricesAndTheArea) {
   PatchFile patch = sample_patch();
   patch.lidar.clear();
   patch.reference_matches = patch.reference_tracks = patch.reference_lines = std::nullopt;
+  patch.area_m = {
+      {513002.0, 5403002.5}, {513118.0, 5403002.5}, {513118.0, 5403118.0}, {513002.0, 5403118.0}};
   PatchKeys keys;
-  keys.area_m = {513002.0, 5403002.5, 513118.0, 5403118.0};
   keys.orientation = "pat_b.ori";
   keys.cameras = "cameras.yaml";
   keys.matrix = "world_from_camera";
@@ -106,6 +107,16 @@ TEST(WritePatch, StatesCamerasWithDistortionAndWindows) {
   }
   EXPECT_EQ(read.images[0].window->width, 640);
   EXPECT_FALSE(read.images[1].window);
+}
+
+TEST(WritePatch, RefusesWhatAPatchFileCannotState) {
+  const TempFolder folder;
+  PatchFile patch = sample_patch();
+  patch.area_m = {{0.0, 0.0}, {4.0, 0.0}, {2.0, 3.0}};
+  EXPECT_THROW(write_patch(folder.file("patch.yaml"), patch), std::invalid_argument);
+  patch.area_m.clear();
+  patch.height_range_m.reset();
+  EXPECT_THROW(write_patch(folder.file("patch.yaml"), patch), std::invalid_argument);
 }
 
 TEST(WritePatch, RefusesACameraWithoutItsPose) {
