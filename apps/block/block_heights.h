@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "io/project/patch.h"
+#include "io/project/block_file.h"
 #include "reconstruct/scene/patch_grid.h"
 
 #include <Eigen/Geometry>
@@ -15,9 +15,9 @@ namespace ridgeline::apps {
 /// The heights that the patches of a block search in.
 class BlockHeights {
  public:
-  /// Reads a sample of the LIDAR, at most 2 million points, if the block takes its heights from it.
-  /// `overlap_m`: see io::BlockFile. Throws IoError if no point lies in the area of the block.
-  BlockHeights(const io::PatchFile& block, double overlap_m);
+  /// Reads a sample of the LIDAR if the block takes its heights from it. Throws IoError if no point
+  /// lies in the area of the block.
+  explicit BlockHeights(const io::BlockFile& block);
 
   /// As the block states them, else the lowest and highest height in an area and kHeightMargin_m
   /// more on both sides; of an area without LIDAR those of the whole block.
@@ -27,9 +27,9 @@ class BlockHeights {
   [[nodiscard]] const Eigen::AlignedBox2d& extent_m() const { return extent_m_; }
 
  private:
-  void read_sample(double overlap_m);
+  void read_sample();
 
-  const io::PatchFile& block_;
+  const io::BlockFile& block_;
   Eigen::AlignedBox2d extent_m_;
   reconstruct::PatchGrid bins_{10.0};
   std::map<reconstruct::GridCell, std::vector<Eigen::Vector3d>> points_;  ///< of the sample, by bin

@@ -2,21 +2,19 @@
 #include "apps/block/block_task.h"
 
 #include "apps/block/plan_block.h"
-#include "apps/pipeline/complete_patch.h"
+#include "apps/pipeline/decide_patch.h"
 #include "apps/pipeline/parameters.h"
 #include "apps/run/patch_stages.h"
 #include "apps/run/run_patches.h"
 #include "io/files/atomic_file.h"
 #include "io/files/text_file.h"
 #include "io/project/write_patch.h"
-#include "reconstruct/geometry/plan_box.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 
 namespace ridgeline::apps {
 namespace fs = std::filesystem;
@@ -32,6 +30,7 @@ BlockTask::BlockTask(const fs::path& folder,
                      const PlannedPatch& planned,
                      const RunOptions& options)
     : folder_(folder / "tasks" / planned.id),
+      planned_(planned),
       options_(options),
       patch_(patch_of(block, plan, planned)) {
   for (const std::string& id : planned.images)
@@ -43,7 +42,7 @@ std::string BlockTask::key() const {
   std::vector<std::string> parts{
       patch_.id, patch_.crs.definition, echo(options_.parameters).dump(),
       fmt::format("{} {} {}", options_.max_image_mpx, options_.max_y_parallax_px,
-                  fmt::join(patch_.height_range_m, " "))};
+                  fmt::join(*patch_.height_range_m, " "))};
   for (const Eigen::Vector2d& corner : patch_.area_m)
     parts.push_back(fmt::format("{} {}", corner.x(), corner.y()));
   for (const reconstruct::Method method : options_.methods)
@@ -79,11 +78,8 @@ void BlockTask::run() const {
     record.know_hash(frame.path, frame.sha256);
   }
   io::PatchFile patch = patch_;
-  complete_patch(patch);
-  const Eigen::AlignedBox2d area = box_around(patch.area_m);
-  io::write_patch(
-      patch_path(), patch,
-      {.area_m = std::array{area.min().x(), area.min().y(), area.max().x(), area.max().y()}});
+  patch.images = decide_patch(patch_).images;
+  io::write_patch(patch_path(), patch);
   (void)write_patches({patch_path()}, options, folder_.string(), record);
   MadeFrom(folder_).set_done(kStage, key(), line_files());
   fs::remove(path("failed.txt"));

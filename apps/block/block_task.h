@@ -33,6 +33,8 @@ class BlockTask {
   /// the plan.
   void run() const;
 
+  /// What the plan says of it.
+  [[nodiscard]] const PlannedPatch& planned() const { return planned_; }
   [[nodiscard]] std::string patch_path() const { return path("patch.yaml"); }
   /// The lines of a method. The task must be done.
   [[nodiscard]] std::string lines_path(reconstruct::Method method) const;
@@ -49,6 +51,7 @@ class BlockTask {
   [[nodiscard]] std::vector<std::string> line_files() const;
 
   std::filesystem::path folder_;
+  const PlannedPatch& planned_;
   const RunOptions& options_;
   std::vector<FileState> frames_;  ///< by image of the patch
   io::PatchFile patch_;            ///< without windows

@@ -35,18 +35,16 @@ void keep_failure(const BlockTask& task, const std::string& reason) {
 FramesBlock::FramesBlock(const std::string& block_file, const std::string& out, RunOptions options)
     : folder_(fs::absolute(out).lexically_normal()),
       options_(std::move(options)),
-      block_(read_block(block_file)) {
-  block_.patch.max_image_mpx = options_.max_image_mpx;
-}
+      block_(read_block(block_file)) {}
 
 void FramesBlock::plan() {
   if (fs::exists(plan_path())) {
     take_plan();
     return;
   }
-  plan_ = plan_block(block_);
+  plan_ = plan_block(block_, options_.max_image_mpx);
   io::write_file(plan_path(), to_json(*plan_));
-  inform_of(block_.patch.decisions);
+  inform_of(block_.decisions);
   warn_of(plan_->warnings);
 }
 
@@ -89,14 +87,14 @@ std::size_t FramesBlock::merge() {
 /// Frames are checked by the tasks that use them.
 void FramesBlock::take_plan() {
   plan_ = read_block_plan(plan_path());
-  if (plan_->block_file != block_.patch.path) {
+  if (plan_->block_file != block_.path) {
     throw io::IoError(
         plan_path(),
         fmt::format(
             "is the plan of {}; a folder can only hold one block, choose another with --out",
             plan_->block_file));
   }
-  if (plan_->key == key_of_plan(block_, planned_inputs(block_))) return;
+  if (plan_->key == key_of_plan(block_, planned_inputs(block_), options_.max_image_mpx)) return;
   for (const FileState& file : plan_->inputs) require_unchanged(file);
   for (const PlannedFrame& frame : plan_->frames) io::require_regular_file(frame.file.path);
   throw io::IoError(plan_path(),

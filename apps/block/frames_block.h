@@ -50,7 +50,7 @@ class FramesBlock {
 
   std::filesystem::path folder_;
   RunOptions options_;
-  io::BlockFile block_;
+  const io::BlockFile block_;
   std::optional<BlockPlan> plan_;
 };
 

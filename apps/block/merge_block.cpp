@@ -6,6 +6,7 @@
 #include "apps/block/patch_table.h"
 #include "apps/common/outcome.h"
 #include "apps/common/say.h"
+#include "apps/run/judge_patch.h"
 #include "apps/run/patch_stages.h"
 #include "evaluate/files/judge_files.h"
 #include "evaluate/files/write_results.h"
@@ -93,7 +94,7 @@ class BlockMerge {
   void write_results() {
     for (const Method method : options_.methods) write_lines(method);
     record_.end_stage("merge");
-    if (!block_.patch.lidar.empty()) judge();
+    if (!block_.lidar.empty()) judge();
   }
 
   void find_finished() {
@@ -114,11 +115,9 @@ class BlockMerge {
   }
 
   void write_lines(Method method) {
-    std::vector<FinishedPatch> finished;
-    for (std::size_t i = 0; i < tasks_.size(); ++i) {
-      if (!reasons_[i].empty()) continue;
-      finished.push_back({&plan_.patches[i], tasks_[i].patch_path(), tasks_[i].lines_path(method)});
-    }
+    std::vector<const BlockTask*> finished;
+    for (std::size_t i = 0; i < tasks_.size(); ++i)
+      if (reasons_[i].empty()) finished.push_back(&tasks_[i]);
     std::vector<std::unique_ptr<io::LineWriter>> writers;
     for (const auto& [format, extension] : {std::pair(io::LineFormat::kGeoJson, ".geojson"),
                                             std::pair(io::LineFormat::kGeoPackage, ".gpkg")}) {
@@ -127,7 +126,7 @@ class BlockMerge {
     }
     std::vector<std::size_t>& patch_of_line = patch_of_line_.emplace_back();
     const MergedCounts counts =
-        merge_lines_of(plan_, finished, [&](const io::Line& line, std::size_t patch) {
+        merge_lines_of(plan_, finished, method, [&](const io::Line& line, std::size_t patch) {
           for (const auto& writer : writers) writer->add(line);
           patch_of_line.push_back(patch);
         });
@@ -141,8 +140,9 @@ class BlockMerge {
   }
 
   /// The frames of the block as a patch, so that image segments of the lines are evidence.
-  [[nodiscard]] io::PatchFile frames_as_patch() const {
-    io::PatchFile patch = block_.patch;
+  [[nodiscard]] io::Patch frames_as_patch() const {
+    io::Patch patch{static_cast<const io::Project&>(block_)};
+    patch.id = plan_.block;
     patch.height_range_m = plan_.patches.front().height_range_m;
     for (const PlannedPatch& planned : plan_.patches) {
       patch.height_range_m[0] = std::min(patch.height_range_m[0], planned.height_range_m[0]);
@@ -152,18 +152,8 @@ class BlockMerge {
   }
 
   void judge() {
-    results::JudgeFilesOptions options;
-    for (const Method method : options_.methods)
-      options.line_paths.push_back(out_.path(PatchStages::line_file(method, ".geojson")));
-    options.cloud_paths = block_.patch.lidar;
-    options.patch = frames_as_patch();
-    options.patch_name = plan_.block;
-    options.reference_lines = block_.patch.reference_lines;
-    options.judge = options_.parameters.judge;
-    options.summary = options_.summary;
-    options.apply_shift = options_.shift.apply;
-    options.geoid = options_.shift.geoid;
-    options.n_decoys = options_.n_decoys;
+    results::JudgeFilesOptions options = judge_options(frames_as_patch(), options_, out_, "");
+    options.reference_lines = block_.reference_lines;
     results::JudgedFiles judged = results::judge_files(options, record_);
     warn_of(judged.warnings);
     record_.add_warnings(judged.warnings);
@@ -187,7 +177,7 @@ class BlockMerge {
   /// The lines of each patch, and of its neighbours, which lines that cross a seam may belong to.
   MethodResult split(const results::JudgedFiles& judged,
                      std::size_t method,
-                     const std::optional<io::PatchFile>& frames) const {
+                     const std::optional<io::Patch>& frames) const {
     MethodResult result{judged.evaluations[method], judged.truth[method], {}, {}, {}};
     const std::vector<evaluate::JudgedLine> lines =
         results::judged_lines_of(judged.line_sets[method], judged.frame, frames);
@@ -263,10 +253,10 @@ class BlockMerge {
   [[nodiscard]] std::map<GridCell, std::vector<evaluate::ReferenceLine>> references_by_patch(
       const LocalFrame& frame) const {
     std::map<GridCell, std::vector<evaluate::ReferenceLine>> by_patch;
-    if (!block_.patch.reference_lines) return by_patch;
+    if (!block_.reference_lines) return by_patch;
     const reconstruct::PatchGrid grid = grid_of(plan_);
     for (const evaluate::ReferenceLine& line :
-         results::reference_lines_of(io::read_lines(*block_.patch.reference_lines), frame)) {
+         results::reference_lines_of(io::read_lines(*block_.reference_lines), frame)) {
       const Eigen::Vector3d middle = frame.world_from_local(midpoint(line.segment));
       by_patch[grid.cell_of(middle.head<2>())].push_back(line);
     }

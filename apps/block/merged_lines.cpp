@@ -21,13 +21,13 @@ namespace ridgeline::apps {
 namespace {
 
 /// The pixels that a patch counts from the corner of its windows, in the whole frames.
-void count_from_frame(const io::PatchFile& patch, io::Line& line) {
-  line.observations = results::observations_of(line, patch);
+void count_from_frame(const std::vector<io::PatchImage>& images, io::Line& line) {
+  line.observations = results::observations_of(line, images);
   line.base_px.reset();
   line.other_px.reset();
   for (io::LineObservation& observation : line.observations) {
-    const auto image = std::ranges::find(patch.images, observation.image, &io::PatchImage::id);
-    if (image == patch.images.end()) continue;
+    const auto image = std::ranges::find(images, observation.image, &io::PatchImage::id);
+    if (image == images.end()) continue;
     observation.px.start += image->window_px;
     observation.px.end += image->window_px;
   }
@@ -38,19 +38,19 @@ struct LinesOfPatch {
   std::size_t n_without_place = 0;
 };
 
-LinesOfPatch read_lines_of(const FinishedPatch& finished) {
-  const io::PatchFile patch = io::read_patch(finished.patch_path);
-  io::LineSet set = io::read_lines(finished.lines_path);
+LinesOfPatch read_lines_of(const BlockTask& task, reconstruct::Method method) {
+  const std::vector<io::PatchImage> images = io::read_patch(task.patch_path()).images;
+  io::LineSet set = io::read_lines(task.lines_path(method));
   LinesOfPatch found;
   for (io::Line& line : set.lines) {
     if (!all_finite(line.segment_in_world) || !line.covariance_m2) {
       ++found.n_without_place;
       continue;
     }
-    count_from_frame(patch, line);
-    line.id = fmt::format("{}/{}", finished.planned->id, line.id);
+    count_from_frame(images, line);
+    line.id = fmt::format("{}/{}", task.planned().id, line.id);
     if (!line.parent_id.empty())
-      line.parent_id = fmt::format("{}/{}", finished.planned->id, line.parent_id);
+      line.parent_id = fmt::format("{}/{}", task.planned().id, line.parent_id);
     line.row = 0;
     found.lines.push_back(std::move(line));
   }
@@ -64,15 +64,15 @@ class StripMerge {
   StripMerge(const BlockPlan& plan, const Take& take)
       : plan_(plan), take_(take), merger_(grid_of(plan), {.overlap_m = plan.overlap_m}) {}
 
-  void add(std::span<const FinishedPatch> column) {
+  void add(std::span<const BlockTask* const> column, reconstruct::Method method) {
     std::vector<LinesOfPatch> read(column.size());
     tbb::parallel_for(std::size_t{0}, column.size(),
-                      [&](std::size_t i) { read[i] = read_lines_of(column[i]); });
+                      [&](std::size_t i) { read[i] = read_lines_of(*column[i], method); });
     std::vector<reconstruct::FoundLine> found;
     for (std::size_t i = 0; i < column.size(); ++i) {
       counts_.n_without_place += read[i].n_without_place;
       for (io::Line& line : read[i].lines) {
-        found.push_back({{line.segment_in_world, *line.covariance_m2}, column[i].planned->cell});
+        found.push_back({{line.segment_in_world, *line.covariance_m2}, column[i]->planned().cell});
         held_.push_back(std::move(line));
       }
     }
@@ -110,14 +110,15 @@ class StripMerge {
 }  // namespace
 
 MergedCounts merge_lines_of(const BlockPlan& plan,
-                            const std::vector<FinishedPatch>& patches,
+                            const std::vector<const BlockTask*>& tasks,
+                            reconstruct::Method method,
                             const std::function<void(const io::Line&, std::size_t patch)>& take) {
   StripMerge merge(plan, take);
-  const auto column_of = [](const FinishedPatch& patch) { return patch.planned->cell.column; };
-  for (auto first = patches.begin(); first != patches.end();) {
+  const auto column_of = [](const BlockTask* task) { return task->planned().cell.column; };
+  for (auto first = tasks.begin(); first != tasks.end();) {
     const auto last =
-        std::ranges::upper_bound(first, patches.end(), column_of(*first), {}, column_of);
-    merge.add({first, last});
+        std::ranges::upper_bound(first, tasks.end(), column_of(*first), {}, column_of);
+    merge.add({first, last}, method);
     first = last;
   }
   return merge.finish();

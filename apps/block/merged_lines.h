@@ -2,21 +2,14 @@
 #pragma once
 
 #include "apps/block/block_plan.h"
+#include "apps/block/block_task.h"
 #include "io/lines/line_set.h"
 
 #include <cstddef>
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace ridgeline::apps {
-
-/// A finished task.
-struct FinishedPatch {
-  const PlannedPatch* planned = nullptr;
-  std::string patch_path;  ///< its patch file
-  std::string lines_path;  ///< its lines of one method
-};
 
 /// Counts of the lines of a block by one method.
 struct MergedCounts {
@@ -24,13 +17,15 @@ struct MergedCounts {
   std::size_t n_without_place = 0;  ///< lines that tasks could not reconstruct
 };
 
-/// Merges the lines of finished tasks (reconstruct::LineMerger), column by column of the grid, of
-/// which it holds a few only. Lines whose midpoint is outside of the area of the block are left
-/// out. Ids become PATCH/ID, and image segments are in pixels of the whole frames. `patches`: in
-/// the order of the plan. `take` gets each line with the number of its patch in BlockPlan::patches,
-/// in the order of the squares. Throws IoError for files that are none of a task.
+/// Merges the lines that finished tasks reconstructed by a method (reconstruct::LineMerger), column
+/// by column of the grid, of which it holds a few only. Lines whose midpoint is outside of the area
+/// of the block are left out. Ids become PATCH/ID, and image segments are in pixels of the whole
+/// frames. `tasks`: in the order of the plan. `take` gets each line with the number of its patch in
+/// BlockPlan::patches, in the order of the squares. Throws IoError for files that are none of a
+/// task.
 MergedCounts merge_lines_of(const BlockPlan& plan,
-                            const std::vector<FinishedPatch>& patches,
+                            const std::vector<const BlockTask*>& tasks,
+                            reconstruct::Method method,
                             const std::function<void(const io::Line&, std::size_t patch)>& take);
 
 }  // namespace ridgeline::apps

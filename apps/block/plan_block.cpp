@@ -52,15 +52,20 @@ std::vector<Eigen::Vector2d> footprint(const io::PatchImage& image, double heigh
   return corners;
 }
 
+/// The heights that the block states, else 0.
+std::array<double, 2> stated_heights_m(const io::BlockFile& block) {
+  return block.height_range_m.value_or(std::array{0.0, 0.0});
+}
+
 /// The box to be cut into squares: that of the area, else of the LIDAR that gives the heights, else
 /// of what the images show.
-Eigen::AlignedBox2d extent_of(const io::PatchFile& patch, const BlockHeights& heights) {
-  if (!patch.area_m.empty()) return box_around(patch.area_m);
+Eigen::AlignedBox2d extent_of(const io::BlockFile& block, const BlockHeights& heights) {
+  if (!block.area_m.empty()) return box_around(block.area_m);
   if (!heights.extent_m().isEmpty()) return heights.extent_m();
   Eigen::AlignedBox2d extent;
-  for (const io::PatchImage& image : patch.images) {
-    const double middle_m = 0.5 * (patch.height_range_m[0] + patch.height_range_m[1]);
-    for (const Eigen::Vector2d& x : footprint(image, middle_m)) extent.extend(x);
+  const auto [low_m, high_m] = stated_heights_m(block);
+  for (const io::PatchImage& image : block.images) {
+    for (const Eigen::Vector2d& x : footprint(image, 0.5 * (low_m + high_m))) extent.extend(x);
   }
   return extent;
 }
@@ -86,21 +91,6 @@ std::vector<GridCell> squares_of(const PatchGrid& grid,
   return squares;
 }
 
-/// The patch of an area, without its images: as the block says, but for what is decided patch by
-/// patch.
-io::PatchFile patch_of_area(const io::BlockFile& block,
-                            const Eigen::AlignedBox2d& area_m,
-                            const std::array<double, 2>& height_range_m) {
-  io::PatchFile patch;
-  patch.path = block.patch.path;
-  patch.crs = block.patch.crs;
-  patch.max_views = block.patch.max_views;
-  patch.max_image_mpx = block.patch.max_image_mpx;
-  patch.area_m = corners_of(area_m);
-  patch.height_range_m = height_range_m;
-  return patch;
-}
-
 /// A square with its images; nothing if fewer than two show it.
 std::optional<PlannedPatch> planned(const io::BlockFile& block,
                                     const PatchGrid& grid,
@@ -113,14 +103,14 @@ std::optional<PlannedPatch> planned(const io::BlockFile& block,
   plan.core_m = grid.square(cell).intersection(extent);
   plan.area_m = grown(plan.core_m, block.overlap_m);
   plan.height_range_m = heights.range_m(plan.area_m);
-  io::PatchFile patch = patch_of_area(block, plan.area_m, plan.height_range_m);
-  patch.images = block.patch.images;
-  patch.images = best_images(patch);
-  if (patch.images.size() < 2) return std::nullopt;
-  plan.images = transformed(patch.images, &io::PatchImage::id);
-  for (const io::PatchImage& image : patch.images) {
+  const SearchedPlace place{corners_of(plan.area_m), plan.height_range_m};
+  const std::vector<io::PatchImage> images =
+      best_images(block.images, block.max_views.value(), place);
+  if (images.size() < 2) return std::nullopt;
+  plan.images = transformed(images, &io::PatchImage::id);
+  for (const io::PatchImage& image : images) {
     const Eigen::Vector2i size_px(image.interior.value().size_px.value());
-    if (const auto window = window_of_area(patch, image, size_px))
+    if (const auto window = window_of_area(place, image, size_px))
       plan.windows_mpx += 1e-6 * window->width * window->height;
   }
   const Foreseen foreseen = foreseen_of_patch(plan.windows_mpx);
@@ -142,7 +132,7 @@ std::vector<PlannedFrame> frames_of(const io::BlockFile& block,
   std::set<std::string> used;
   for (const PlannedPatch& patch : patches) used.insert(patch.images.begin(), patch.images.end());
   std::vector<PlannedFrame> frames;
-  for (const io::PatchImage& image : block.patch.images) {
+  for (const io::PatchImage& image : block.images) {
     if (used.contains(image.id)) frames.push_back({{"image", image.path, 0, 0, ""}, image.id, {}});
   }
   tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t i) {
@@ -153,10 +143,10 @@ std::vector<PlannedFrame> frames_of(const io::BlockFile& block,
 }
 
 std::vector<std::string> warnings_of(const io::BlockFile& block) {
-  std::vector<std::string> warnings = block.patch.warnings;
-  if (const std::size_t n = block.patch.without_file.size(); n > 0) {
+  std::vector<std::string> warnings = block.warnings;
+  if (const std::size_t n = block.without_file.size(); n > 0) {
     warnings.push_back(fmt::format("{}: {} images of the orientation have no file; the first is {}",
-                                   block.patch.path, n, block.patch.without_file.front().id));
+                                   block.path, n, block.without_file.front().id));
   }
   return warnings;
 }
@@ -164,7 +154,7 @@ std::vector<std::string> warnings_of(const io::BlockFile& block) {
 /// Frames need a size before their windows are known. Throws IoError for a file that does not fit
 /// its camera.
 void read_sizes(io::BlockFile& block) {
-  auto& images = block.patch.images;
+  auto& images = block.images;
   tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) {
     images[i].facts = io::image_facts(images[i].path);
     if (!images[i].interior || images[i].interior->size_px) return;
@@ -178,19 +168,16 @@ void read_sizes(io::BlockFile& block) {
 /// Paths become absolute, because patch files in other folders state them.
 io::BlockFile read_block(const std::string& path) {
   const std::string absolute = std::filesystem::absolute(path).lexically_normal().string();
-  io::BlockFile block = io::read_block_file(
-      absolute, [](const io::Orientation& orientation, const io::ImageFiles& files) {
-        return find_image_points(orientation, files);
-      });
+  io::BlockFile block = io::read_block_file(absolute, find_points_in_files);
   read_sizes(block);
   return block;
 }
 
 std::vector<FileState> planned_inputs(const io::BlockFile& block) {
-  std::vector<results::InputFile> inputs = input_files(block.patch);
+  std::vector<results::InputFile> inputs = input_files(block);
   std::erase_if(inputs, [](const auto& input) { return input.role == "image"; });
-  if (block.patch.surface_model) {
-    for (const std::string& file : io::files_beside_surface_model(*block.patch.surface_model))
+  if (block.surface_model) {
+    for (const std::string& file : io::files_beside_surface_model(*block.surface_model))
       inputs.push_back({"surface_model", file});
   }
   return transformed(inputs, [](const results::InputFile& input) {
@@ -199,16 +186,17 @@ std::vector<FileState> planned_inputs(const io::BlockFile& block) {
   });
 }
 
-std::string key_of_plan(const io::BlockFile& block, const std::vector<FileState>& inputs) {
-  const io::PatchFile& patch = block.patch;
+std::string key_of_plan(const io::BlockFile& block,
+                        const std::vector<FileState>& inputs,
+                        double max_image_mpx) {
+  const int source = block.height_range_m ? 0 : block.surface_model ? 2 : 1;
   std::vector<std::string> parts{
-      patch.crs.definition,
-      fmt::format("{} {} {} {} {} {}", patch.max_image_mpx, patch.max_views, block.patch_size_m,
-                  block.overlap_m, static_cast<int>(patch.heights),
-                  fmt::join(patch.height_range_m, " "))};
-  for (const Eigen::Vector2d& corner : patch.area_m)
+      block.crs.definition,
+      fmt::format("{} {} {} {} {} {}", max_image_mpx, block.max_views.value(), block.patch_size_m,
+                  block.overlap_m, source, fmt::join(stated_heights_m(block), " "))};
+  for (const Eigen::Vector2d& corner : block.area_m)
     parts.push_back(fmt::format("{} {}", corner.x(), corner.y()));
-  for (const io::PatchImage& image : patch.images) parts.push_back(key_of_view(image, image.path));
+  for (const io::PatchImage& image : block.images) parts.push_back(key_of_view(image, image.path));
   for (const FileState& file : inputs) {
     if (file.role == "cloud" || file.role == "surface_model")
       parts.push_back(fmt::format("{} {} {}", file.path, file.bytes, file.modified_ns));
@@ -216,23 +204,23 @@ std::string key_of_plan(const io::BlockFile& block, const std::vector<FileState>
   return key_of(parts);
 }
 
-BlockPlan plan_block(const io::BlockFile& block) {
+BlockPlan plan_block(const io::BlockFile& block, double max_image_mpx) {
   BlockPlan plan;
-  plan.block = block.patch.id;
-  plan.block_file = block.patch.path;
-  plan.crs = block.patch.crs.definition;
+  plan.block = block.id;
+  plan.block_file = block.path;
+  plan.crs = block.crs.definition;
   plan.patch_size_m = block.patch_size_m;
   plan.overlap_m = block.overlap_m;
-  plan.area_m = block.patch.area_m;
+  plan.area_m = block.area_m;
   plan.inputs = planned_inputs(block);
-  plan.key = key_of_plan(block, plan.inputs);
+  plan.key = key_of_plan(block, plan.inputs, max_image_mpx);
   plan.warnings = warnings_of(block);
-  const BlockHeights heights(block.patch, block.overlap_m);
-  const Eigen::AlignedBox2d extent = extent_of(block.patch, heights);
-  if (extent.isEmpty()) throw io::IoError(block.patch.path, "no image shows the ground");
+  const BlockHeights heights(block);
+  const Eigen::AlignedBox2d extent = extent_of(block, heights);
+  if (extent.isEmpty()) throw io::IoError(block.path, "no image shows the ground");
   plan.extent_m = extent;
   const PatchGrid grid = grid_of(plan);
-  const std::vector<GridCell> squares = squares_of(grid, extent, block.patch.area_m);
+  const std::vector<GridCell> squares = squares_of(grid, extent, block.area_m);
   std::vector<std::optional<PlannedPatch>> patches(squares.size());
   tbb::parallel_for(std::size_t{0}, squares.size(), [&](std::size_t i) {
     patches[i] = planned(block, grid, squares[i], extent, heights);
@@ -246,9 +234,9 @@ BlockPlan plan_block(const io::BlockFile& block) {
   }
   if (plan.patches.empty()) {
     throw io::IoError(
-        block.patch.path,
+        block.path,
         fmt::format("none of the {} images overlap in any of the {} squares of {} m of the area",
-                    block.patch.images.size(), squares.size(), grid.size_m()));
+                    block.images.size(), squares.size(), grid.size_m()));
   }
   plan.frames = frames_of(block, plan.patches);
   return plan;
@@ -257,12 +245,16 @@ BlockPlan plan_block(const io::BlockFile& block) {
 io::PatchFile patch_of(const io::BlockFile& block,
                        const BlockPlan& plan,
                        const PlannedPatch& planned) {
-  io::PatchFile patch = patch_of_area(block, planned.area_m, planned.height_range_m);
+  io::PatchFile patch;
+  patch.path = block.path;
   patch.id = planned.id;
+  patch.crs = block.crs;
+  patch.area_m = corners_of(planned.area_m);
+  patch.height_range_m = planned.height_range_m;
   for (const std::string& id : planned.images) {
-    const auto image = std::ranges::find(block.patch.images, id, &io::PatchImage::id);
+    const auto image = std::ranges::find(block.images, id, &io::PatchImage::id);
     const auto frame = std::ranges::find(plan.frames, id, &PlannedFrame::id);
-    check(image != block.patch.images.end() && frame != plan.frames.end(), "image ", id,
+    check(image != block.images.end() && frame != plan.frames.end(), "image ", id,
           ", is no longer in the block");
     patch.images.push_back(*image);
     patch.images.back().radiometry = frame->radiometry;

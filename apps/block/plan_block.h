@@ -19,7 +19,9 @@ std::vector<FileState> planned_inputs(const io::BlockFile& block);
 
 /// The key of a plan: of the cameras and poses of all frames, the area, the heights, or the files
 /// that they are taken from, and the sizes. Frames count by their paths; each task checks its own.
-std::string key_of_plan(const io::BlockFile& block, const std::vector<FileState>& inputs);
+std::string key_of_plan(const io::BlockFile& block,
+                        const std::vector<FileState>& inputs,
+                        double max_image_mpx = 0.0);
 
 /// Cuts a block into patches. Their squares lie at multiples of the size of a patch and cover the
 /// area; without an area the places that the images show, or where the LIDAR lies if the heights
@@ -27,16 +29,16 @@ std::string key_of_plan(const io::BlockFile& block, const std::vector<FileState>
 ///   images    of each patch those that show it best (best_images()); a square that fewer than two
 ///             images show has no patch
 ///   heights   as stated, or of the LIDAR or the surface model around the patch, with the margin of
-///             complete_patch()
+///             decide_patch()
 ///   windows   decided by the task, by the same rule
 ///   radiometry of whole frames, so that a patch looks the same whatever its size
 /// Frames are hashed and their radiometry is taken in parallel; the result does not depend on the
 /// number of threads. Throws IoError if no square has two images, and for files that cannot be
 /// read.
-BlockPlan plan_block(const io::BlockFile& block);
+BlockPlan plan_block(const io::BlockFile& block, double max_image_mpx);
 
 /// The patch of a plan: its frames with their radiometry, area and heights; windows are still to be
-/// decided by complete_patch(). `block`: of the plan.
+/// decided by decide_patch(). `block`: of the plan.
 io::PatchFile patch_of(const io::BlockFile& block,
                        const BlockPlan& plan,
                        const PlannedPatch& planned);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/common/as_flags.h"
+#include "io/project/patch.h"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -32,6 +33,12 @@ inline void inform_of(const std::vector<std::string>& decisions) {
 /// Prints warnings to stderr.
 inline void warn_of(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) spdlog::warn("{}", warning);
+}
+
+/// Prints both of a patch.
+inline void tell_of(const io::Patch& patch) {
+  inform_of(patch.decisions);
+  warn_of(patch.warnings);
 }
 
 }  // namespace ridgeline::apps

@@ -4,7 +4,7 @@
 #include "apps/common/say.h"
 #include "apps/common/shared_options.h"
 #include "apps/evaluate/write_evaluation.h"
-#include "apps/pipeline/read_patch.h"
+#include "apps/pipeline/open_patch.h"
 #include "apps/report/write_report.h"
 #include "evaluate/files/cloud_name.h"
 #include "evaluate/files/judge_files.h"
@@ -198,9 +198,8 @@ results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   options.line_paths = a.lines;
   options.cloud_paths = a.clouds;
   if (!a.patch.empty()) {
-    options.patch = read_patch(a.patch);
+    options.patch = read_patch(a.patch, {a.assume_crs});
     options.patch_name = options.patch->id;
-    if (!a.assume_crs.empty()) options.patch->crs.definition = a.assume_crs;
     if (options.cloud_paths.empty()) options.cloud_paths = options.patch->lidar;
     options.reference_lines = options.patch->reference_lines;
   }

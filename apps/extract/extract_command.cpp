@@ -3,8 +3,8 @@
 #include "apps/common/say.h"
 #include "apps/common/shared_options.h"
 #include "apps/extract/segment_overlay.h"
+#include "apps/pipeline/open_patch.h"
 #include "apps/pipeline/patch_scene.h"
-#include "apps/pipeline/read_patch.h"
 #include "evaluate/files/output_folder.h"
 #include "io/error.h"
 #include "io/images/png_writer.h"
@@ -30,9 +30,8 @@ struct ExtractArguments {
 /// The image of the patch with the id of --image-id; without an id, the one whose file is
 /// extracted.
 io::PatchImage camera_of(const ExtractArguments& a) {
-  const io::PatchFile patch = read_patch(a.patch);
-  inform_of(patch.decisions);
-  warn_of(patch.warnings);
+  const io::Patch patch = read_patch(a.patch);
+  tell_of(patch);
   for (const io::PatchImage& image : patch.images) {
     const bool chosen = a.image_id.empty() ? std::filesystem::weakly_canonical(image.path) ==
                                                  std::filesystem::weakly_canonical(a.image)

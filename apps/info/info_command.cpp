@@ -3,7 +3,7 @@
 #include "apps/common/say.h"
 #include "apps/info/orientation_facts.h"
 #include "apps/info/own_files.h"
-#include "apps/pipeline/read_patch.h"
+#include "apps/pipeline/open_patch.h"
 #include "evaluate/files/judged_lines.h"
 #include "io/cloud/cloud_facts.h"
 #include "io/cloud/read_cloud.h"
@@ -225,7 +225,7 @@ void print_image(const std::string& path) {
       fmt::format("name it under images in a patch file; ridgeline extract {} --out FILE", path));
 }
 
-std::vector<std::string> missing_files(const io::PatchFile& patch) {
+std::vector<std::string> missing_files(const io::Patch& patch) {
   std::vector<std::string> warnings;
   const auto look_for = [&](const std::string& file) {
     if (!std::filesystem::exists(file)) warnings.push_back(file + " does not exist");
@@ -258,7 +258,7 @@ void print_image_of_patch(const io::PatchImage& image) {
 }
 
 void print_patch(const std::string& path) {
-  const io::PatchFile patch = read_patch(path);
+  const io::Patch patch = read_patch(path);
   fmt::print("{}: patch {}\n  heights     {:g} .. {:g} m\n", path, patch.id,
              patch.height_range_m[0], patch.height_range_m[1]);
   for (const io::PatchImage& image : patch.images) print_image_of_patch(image);
@@ -304,7 +304,7 @@ void print_patches(const std::string& folder, const io::FileKind& kind) {
   if (files.size() == 1) return print_patch(files.front());
   fmt::print("{}: {}\n", folder, kind.what.substr(2));
   for (const std::string& file : files) {
-    const io::PatchFile patch = read_patch(file);
+    const io::Patch patch = read_patch(file);
     fmt::print("  patch       {}: {}, {} images\n", patch.id, file, patch.images.size());
   }
   print_use(fmt::format("ridgeline run {} --out results", fmt::join(files, " ")));

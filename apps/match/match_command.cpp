@@ -6,8 +6,8 @@
 #include "apps/pipeline/check_pair.h"
 #include "apps/pipeline/check_patch.h"
 #include "apps/pipeline/match_tables.h"
+#include "apps/pipeline/open_patch.h"
 #include "apps/pipeline/patch_scene.h"
-#include "apps/pipeline/read_patch.h"
 #include "evaluate/files/output_folder.h"
 #include "io/files/atomic_file.h"
 #include "io/images/png_writer.h"
@@ -69,7 +69,7 @@ void print_processes(const reconstruct::ChioResult& result,
 
 /// The files of the segments that the matches speak of. None stand beside a device such as
 /// /dev/stdout.
-std::vector<std::string> segment_files(const MatchArguments& a, const io::PatchFile& patch) {
+std::vector<std::string> segment_files(const MatchArguments& a, const io::Patch& patch) {
   namespace fs = std::filesystem;
   const bool is_device = fs::exists(a.out) && !fs::is_regular_file(a.out);
   if (a.segments.empty() && is_device) return {};
@@ -78,7 +78,7 @@ std::vector<std::string> segment_files(const MatchArguments& a, const io::PatchF
           (folder / segments_file(patch.images[1])).string()};
 }
 
-void check_outputs(const MatchArguments& a, const io::PatchFile& patch) {
+void check_outputs(const MatchArguments& a, const io::Patch& patch) {
   const std::vector<reconstruct::Matcher>& matchers = a.options.matching.matchers;
   check(a.provenance.empty() || std::find(matchers.begin(), matchers.end(),
                                           reconstruct::Matcher::kChio) != matchers.end(),
@@ -96,23 +96,22 @@ void check_outputs(const MatchArguments& a, const io::PatchFile& patch) {
 int run_match(MatchArguments a) {
   a.options = read_parameters(a.parameters).method;
   a.options.matching.matchers = matchers_named(a.matchers);
-  io::PatchFile file = read_patch(a.patch);
-  inform_of(file.decisions);
-  warn_of(file.warnings);
-  file.max_image_mpx = a.max_image_mpx;
-  check_outputs(a, file);
-  const LocalFrame frame = check_patch(file);
-  reconstruct::Scene scene = patch_scene(file, frame, patch_images(file));
-  warn_of(check_pairs(file, scene, {&kPairOfPatch, 1}, a.max_y_parallax_px));
+  const io::Patch patch =
+      open_patch(a.patch, {.max_image_mpx = a.max_image_mpx}, [&](const io::Patch& decided) {
+        tell_of(decided);
+        check_outputs(a, decided);
+      });
+  reconstruct::Scene scene = patch_scene(patch, patch_images(patch, a.max_image_mpx));
+  warn_of(check_pairs(patch, scene, {&kPairOfPatch, 1}, a.max_y_parallax_px));
   reconstruct::extract(scene.views, a.options.extraction);
-  warn_of(unused_segments(file, scene));
+  warn_of(unused_segments(patch, scene));
   const reconstruct::Matched matched = reconstruct::match_all(scene, {&kPairOfPatch, 1}, a.options);
   const reconstruct::PairMatches& result = matched.pairs.front();
   const std::vector<reconstruct::View>& views = scene.views;
-  const std::vector<std::string> files = segment_files(a, file);
+  const std::vector<std::string> files = segment_files(a, patch);
   for (std::size_t i = 0; i < files.size(); ++i) io::write_segments(files[i], views[i].segments);
   io::write_matches(a.out, result.used().matches);
-  if (!a.provenance.empty()) io::write_file(a.provenance, chio_csv(*result.chio, frame));
+  if (!a.provenance.empty()) io::write_file(a.provenance, chio_csv(*result.chio, patch.frame));
   if (!a.overlay.empty()) {
     io::write_png(a.overlay, match_overlay(views[0], views[1], result.used().matches));
   }

@@ -2,8 +2,7 @@
 #include "apps/common/command.h"
 #include "apps/common/say.h"
 #include "apps/patch/patch_template.h"
-#include "apps/pipeline/check_patch.h"
-#include "apps/pipeline/read_patch.h"
+#include "apps/pipeline/open_patch.h"
 #include "evaluate/files/output_folder.h"
 #include "io/error.h"
 #include "io/files/atomic_file.h"
@@ -54,9 +53,7 @@ void check_new(const std::string& file) {
 void write_and_check(const std::string& file, const std::string& text) {
   io::write_file(file, text);
   try {
-    const io::PatchFile patch = read_patch(file);
-    (void)check_patch(patch);
-    for (const std::string& note : notes_on(patch)) say("{}\n", note);
+    for (const std::string& note : notes_on(open_patch(file))) say("{}\n", note);
   } catch (const std::exception&) {
     fs::remove(file);
     throw;

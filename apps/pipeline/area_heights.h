@@ -4,16 +4,10 @@
 #include "io/project/patch.h"
 
 #include <array>
-#include <cstddef>
 #include <span>
+#include <vector>
 
 namespace ridgeline::apps {
-
-/// The heights of a patch that states `auto`.
-struct AreaHeights {
-  std::array<double, 2> range_m{};  ///< with margins
-  std::size_t n = 0;                ///< points or cells that they are of
-};
 
 /// Added to both sides of the heights, m.
 constexpr double kHeightMargin_m = 10.0;
@@ -22,7 +16,31 @@ constexpr double kHeightMargin_m = 10.0;
 /// are more than kHeightMargin_m from all others are left out. `heights_m` must not be empty.
 std::array<double, 2> height_limits_m(std::span<const double> heights_m);
 
-/// See complete_patch().
-AreaHeights area_heights(const io::PatchFile& patch);
+/// The heights to be searched: height_limits_m() with kHeightMargin_m on both sides.
+std::array<double, 2> height_range_m(std::span<const double> heights_m);
+
+/// A sample of the LIDAR, at most 2 million points.
+struct LidarSample {
+  std::vector<Eigen::Vector3d> points_in_world;
+  io::Crs crs;
+};
+
+/// A sample of the project's LIDAR; with an area, of the box around it, grown by `margin_m`. Throws
+/// IoError for clouds that cannot be read.
+LidarSample lidar_sample(const io::ProjectFile& project, double margin_m = 0.0);
+
+/// Says that no point of the LIDAR lies `where`, and whether its CRS may be the reason.
+[[noreturn]] void refuse_lidar(const io::ProjectFile& project,
+                               const LidarSample& lidar,
+                               const char* where);
+
+/// The heights of the cells of the project's surface model within an area, m. Throws IoError for a
+/// model that cannot be read or has another CRS, and without an area.
+std::vector<double> model_heights_m(const io::ProjectFile& project,
+                                    const std::vector<Eigen::Vector2d>& area_m);
+
+/// The heights that `height_range: auto` of a patch is about, m: of cells of the surface model or
+/// of LIDAR points, see decide_patch(). Throws IoError if there are none.
+std::vector<double> area_heights_m(const io::PatchFile& patch);
 
 }  // namespace ridgeline::apps

@@ -2,6 +2,7 @@
 #include "apps/pipeline/area_views.h"
 
 #include "io/images/image.h"
+#include "reconstruct/geometry/transformed.h"
 #include "reconstruct/scene/choose_views.h"
 
 #include <Eigen/Dense>
@@ -14,43 +15,44 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/// The area, with an origin near it.
-class Area {
- public:
-  explicit Area(const io::PatchFile& patch) : patch_(patch) {
-    for (const Eigen::Vector2d& x : patch.area_m)
-      middle_ += x / static_cast<double>(patch.area_m.size());
-  }
+/// The middle of the area at the middle of the heights.
+Eigen::Vector3d middle_of(const SearchedPlace& place) {
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& x : place.area_m)
+    middle += x / static_cast<double>(place.area_m.size());
+  return {middle.x(), middle.y(), 0.5 * (place.height_range_m[0] + place.height_range_m[1])};
+}
 
-  [[nodiscard]] Eigen::Vector3d origin_m() const {
-    return {middle_.x(), middle_.y(), 0.5 * (patch_.height_range_m[0] + patch_.height_range_m[1])};
+/// The corners of an area and points between them, `per_side` on each side with its first corner.
+std::vector<Eigen::Vector2d> border_of(const std::vector<Eigen::Vector2d>& corners, int per_side) {
+  std::vector<Eigen::Vector2d> border;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector2d side = corners[(i + 1) % corners.size()] - corners[i];
+    for (int k = 0; k < per_side; ++k)
+      border.emplace_back(corners[i] + static_cast<double>(k) / per_side * side);
   }
+  return border;
+}
 
-  /// Points spread over the area at the middle of the heights: on three rings of the shape of its
-  /// border, and in its middle.
-  [[nodiscard]] Points points_in_local() const {
-    constexpr int kRings = 3;
-    constexpr int kPerSide = 4;
-    Points points{Eigen::Vector3d::Zero()};
-    const auto& corners = patch_.area_m;
-    for (int ring = 1; ring <= kRings; ++ring) {
-      for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Eigen::Vector2d a = corners[i] - middle_;
-        const Eigen::Vector2d b = corners[(i + 1) % corners.size()] - middle_;
-        for (int k = 0; k < kPerSide; ++k) {
-          const double share = static_cast<double>(k) / kPerSide;
-          const Eigen::Vector2d x = static_cast<double>(ring) / kRings * (a + share * (b - a));
-          points.emplace_back(x.x(), x.y(), 0.0);
-        }
-      }
+/// Points spread over the area at the middle of the heights, from there: on three rings of the
+/// shape of its border, and in its middle.
+Points points_in_local(const SearchedPlace& place) {
+  constexpr int kRings = 3;
+  constexpr int kPerSide = 4;
+  Points points{Eigen::Vector3d::Zero()};
+  const Eigen::Vector2d middle = middle_of(place).head<2>();
+  const std::vector<Eigen::Vector2d> border = border_of(
+      transformed(place.area_m,
+                  [&](const Eigen::Vector2d& x) -> Eigen::Vector2d { return x - middle; }),
+      kPerSide);
+  for (int ring = 1; ring <= kRings; ++ring) {
+    for (const Eigen::Vector2d& outer : border) {
+      const Eigen::Vector2d x = static_cast<double>(ring) / kRings * outer;
+      points.emplace_back(x.x(), x.y(), 0.0);
     }
-    return points;
   }
-
- private:
-  const io::PatchFile& patch_;
-  Eigen::Vector2d middle_ = Eigen::Vector2d::Zero();
-};
+  return points;
+}
 
 Eigen::Vector2i size_of(const io::PatchImage& image) {
   if (image.interior && image.interior->size_px) return *image.interior->size_px;
@@ -79,64 +81,52 @@ std::optional<Eigen::Vector2d> shown_at(const io::PatchImage& image,
   return distorted_px(*image.interior, ideal + image.window_px) - image.window_px;
 }
 
-/// The corners of the area and points between them, as a lens bends its sides, at the lowest and
-/// the highest height.
-Points border_in_local(const io::PatchFile& patch, const Eigen::Vector3d& origin_m) {
-  constexpr int kPerSide = 8;
-  Points border;
-  const auto& corners = patch.area_m;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    for (int k = 0; k < kPerSide; ++k) {
-      const double share = static_cast<double>(k) / kPerSide;
-      const Eigen::Vector2d x =
-          corners[i] + share * (corners[(i + 1) % corners.size()] - corners[i]);
-      for (const double z : patch.height_range_m)
-        border.push_back(Eigen::Vector3d(x.x(), x.y(), z) - origin_m);
-    }
-  }
-  return border;
-}
-
 }  // namespace
 
-std::vector<io::PatchImage> best_images(const io::PatchFile& patch) {
-  const Area area(patch);
+std::vector<io::PatchImage> best_images(const std::vector<io::PatchImage>& images,
+                                        std::size_t max_views,
+                                        const SearchedPlace& place) {
+  const Eigen::Vector3d origin_m = middle_of(place);
   std::vector<reconstruct::CandidateView> candidates;
-  for (const io::PatchImage& image : patch.images)
-    candidates.push_back(candidate_of(image, area.origin_m()));
+  for (const io::PatchImage& image : images) candidates.push_back(candidate_of(image, origin_m));
   std::vector<io::PatchImage> best;
-  for (const std::size_t i : reconstruct::choose_views(
-           candidates, area.points_in_local(), patch.height_range_m[1] - patch.height_range_m[0],
-           patch.max_views))
-    best.push_back(patch.images[i]);
+  for (const std::size_t i :
+       reconstruct::choose_views(candidates, points_in_local(place),
+                                 place.height_range_m[1] - place.height_range_m[0], max_views))
+    best.push_back(images[i]);
   return best;
 }
 
-std::vector<io::PatchImage> images_without_file(const io::PatchFile& patch) {
+std::vector<io::PatchImage> images_that_show(const SearchedPlace& place,
+                                             const std::vector<io::PatchImage>& images) {
   constexpr double kMinShare = 0.1;
-  const Area area(patch);
-  const Points points = area.points_in_local();
+  const Eigen::Vector3d origin_m = middle_of(place);
+  const Points points = points_in_local(place);
   std::vector<io::PatchImage> found;
-  for (const io::PatchImage& image : patch.without_file) {
+  for (const io::PatchImage& image : images) {
     if (!image.interior || !image.interior->size_px) continue;
-    if (reconstruct::seen_share(candidate_of(image, area.origin_m()), points) >= kMinShare)
+    if (reconstruct::seen_share(candidate_of(image, origin_m), points) >= kMinShare)
       found.push_back(image);
   }
   return found;
 }
 
-std::optional<io::Window> window_of_area(const io::PatchFile& patch,
+std::optional<io::Window> window_of_area(const SearchedPlace& place,
                                          const io::PatchImage& image,
                                          const Eigen::Vector2i& size_px) {
   constexpr double kMargin_px = 32.0;
-  const Eigen::Vector3d origin_m = Area(patch).origin_m();
+  constexpr int kPerSide = 8;  // as a lens bends the sides
+  const Eigen::Vector3d origin_m = middle_of(place);
   const ProjectionMatrix P = image_from_local(image.image_from_world, origin_m);
   Eigen::AlignedBox2d box;
-  for (const Eigen::Vector3d& x : border_in_local(patch, origin_m)) {
-    const std::optional<Eigen::Vector2d> at = shown_at(image, P, x, size_px);
-    // A part of the area lies behind an oblique camera: nothing bounds what the image shows of it.
-    if (!at) return io::Window{0, 0, size_px.x(), size_px.y()};
-    box.extend(*at);
+  for (const Eigen::Vector2d& corner : border_of(place.area_m, kPerSide)) {
+    for (const double z : place.height_range_m) {
+      const Eigen::Vector3d x = Eigen::Vector3d(corner.x(), corner.y(), z) - origin_m;
+      const std::optional<Eigen::Vector2d> at = shown_at(image, P, x, size_px);
+      // A part of the area lies behind an oblique camera: nothing bounds what the image shows of it
+      if (!at) return io::Window{0, 0, size_px.x(), size_px.y()};
+      box.extend(*at);
+    }
   }
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kMargin_px);
   const Eigen::Vector2d zero = Eigen::Vector2d::Zero();

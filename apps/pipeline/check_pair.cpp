@@ -21,7 +21,7 @@ using reconstruct::PairReading;
 
 /// A pair of images with their cameras and the points that were found in both.
 struct CheckedPair {
-  const io::PatchFile& patch;
+  const io::Patch& patch;
   std::array<std::string, 2> paths;  ///< of the images
   reconstruct::PairGeometry geometry;
   std::vector<reconstruct::PointMatch> points;
@@ -153,8 +153,7 @@ double pixel_on_object_m(const reconstruct::View& view, const std::array<double,
 
 /// A warning of images so close or so far that the units of the patch are hardly metres, as many
 /// limits of the program are.
-std::optional<std::string> doubt_of_units(const io::PatchFile& patch,
-                                          const reconstruct::Scene& scene) {
+std::optional<std::string> doubt_of_units(const io::Patch& patch, const reconstruct::Scene& scene) {
   constexpr double kMinPixel_m = 0.002;
   constexpr double kMaxPixel_m = 5.0;
   const reconstruct::View& view = scene.views[0];
@@ -168,7 +167,7 @@ std::optional<std::string> doubt_of_units(const io::PatchFile& patch,
 
 /// A warning of a pair whose base is so short that heights are uncertain, or so long that surfaces
 /// look different.
-std::optional<std::string> doubt_of_base(const io::PatchFile& patch,
+std::optional<std::string> doubt_of_base(const io::Patch& patch,
                                          const reconstruct::Scene& scene,
                                          const ViewPair& pair) {
   constexpr double kMinBaseRatio = 0.05;
@@ -183,7 +182,7 @@ std::optional<std::string> doubt_of_base(const io::PatchFile& patch,
 
 }  // namespace
 
-std::vector<std::string> check_pairs(const io::PatchFile& patch,
+std::vector<std::string> check_pairs(const io::Patch& patch,
                                      const reconstruct::Scene& scene,
                                      std::span<const ViewPair> pairs,
                                      double max_y_parallax_px) {
@@ -210,7 +209,7 @@ std::vector<std::string> check_pairs(const io::PatchFile& patch,
   return doubts;
 }
 
-std::vector<std::string> check_matched_pairs(const io::PatchFile& patch,
+std::vector<std::string> check_matched_pairs(const io::Patch& patch,
                                              const reconstruct::Scene& scene,
                                              const reconstruct::Options& options,
                                              double max_y_parallax_px) {

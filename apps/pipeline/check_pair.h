@@ -20,7 +20,7 @@ constexpr double kDefaultMaxYParallax_px = 3.0;
 /// @return warnings: pairs with too few points, as of images without texture, and pairs most of
 /// whose points lie outside
 ///     the height range of the patch
-[[nodiscard]] std::vector<std::string> check_pairs(const io::PatchFile& patch,
+[[nodiscard]] std::vector<std::string> check_pairs(const io::Patch& patch,
                                                    const reconstruct::Scene& scene,
                                                    std::span<const ViewPair> pairs,
                                                    double max_y_parallax_px);
@@ -30,7 +30,7 @@ constexpr double kDefaultMaxYParallax_px = 3.0;
 /// it out, one of units
 ///     that are hardly metres, and one for each pair whose base is below 0.05 or above 1 of the
 ///     height
-[[nodiscard]] std::vector<std::string> check_matched_pairs(const io::PatchFile& patch,
+[[nodiscard]] std::vector<std::string> check_matched_pairs(const io::Patch& patch,
                                                            const reconstruct::Scene& scene,
                                                            const reconstruct::Options& options,
                                                            double max_y_parallax_px);

@@ -9,7 +9,6 @@
 #include "io/text/json_text.h"
 #include "io/text/text.h"
 #include "reconstruct/geometry/epipolar.h"
-#include "reconstruct/scene/scene.h"
 
 #include <Eigen/Dense>
 #include <fmt/core.h>
@@ -17,29 +16,25 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
+#include <span>
 #include <string>
 
 namespace ridgeline::apps {
 namespace {
 
-/// Columns and rows of a file as it is read, turned or not.
-Eigen::Vector2i size_of_file(const io::PatchImage& image, const io::ImageFacts& facts) {
-  return swaps_axes(image.turn) ? Eigen::Vector2i(facts.height_px, facts.width_px)
-                                : Eigen::Vector2i(facts.width_px, facts.height_px);
-}
-
 /// Columns and rows of what is read of a file.
 Eigen::Vector2i size_of_image(const io::PatchImage& image, const io::ImageFacts& facts) {
   return image.window ? Eigen::Vector2i(image.window->width, image.window->height)
-                      : size_of_file(image, facts);
+                      : turned_size_px(image, facts);
 }
 
 /// The file must be the frame, or lie within it where it is cut out of it.
 void check_size(const io::PatchImage& image, const io::ImageFacts& facts) {
   if (!image.interior || !image.interior->size_px) return;
   const Eigen::Vector2i frame = *image.interior->size_px;
-  const Eigen::Vector2i size = size_of_file(image, facts);
+  const Eigen::Vector2i size = turned_size_px(image, facts);
   const Eigen::Vector2d in_file(image.window ? image.window->column : 0,
                                 image.window ? image.window->row : 0);
   const Eigen::Vector2d corner = image.window_px - in_file;
@@ -59,7 +54,7 @@ void check_size(const io::PatchImage& image, const io::ImageFacts& facts) {
 
 void check_window(const io::PatchImage& image, const io::ImageFacts& facts) {
   if (!image.window) return;
-  const Eigen::Vector2i size = size_of_file(image, facts);
+  const Eigen::Vector2i size = turned_size_px(image, facts);
   const io::Window& window = *image.window;
   if (window.column + window.width <= size.x() && window.row + window.height <= size.y()) return;
   throw io::IoError(
@@ -76,16 +71,15 @@ void check_radiometry(const io::PatchImage& image, const io::ImageFacts& facts) 
 }
 
 /// The segments that another detector found, if there are any, must lie in the image.
-void check_segments(const io::PatchFile& patch,
-                    const io::PatchImage& image,
-                    const io::ImageFacts& facts) {
+void check_segments(const io::PatchImage& image, const io::ImageFacts& facts) {
   if (!image.segments) return;
-  (void)io::read_own_segments(*image.segments, patch.segment_sigma_px, size_of_file(image, facts));
+  (void)io::read_own_segments(*image.segments, image.segment_sigma_px,
+                              turned_size_px(image, facts));
 }
 
 /// Both limits of height must lie in front of the camera, on the ray through the middle of the
 /// image.
-void check_heights(const io::PatchFile& patch,
+void check_heights(const io::Patch& patch,
                    const io::PatchImage& image,
                    const Eigen::Vector2i& size_px) {
   const Eigen::Matrix3d m = image.image_from_world.leftCols<3>();
@@ -134,7 +128,7 @@ bool is_name_of_result(const std::string& id) {
   });
 }
 
-void check_id(const io::PatchFile& patch, const std::string& id) {
+void check_id(const io::Patch& patch, const std::string& id) {
   if (!is_file_name(id) || !is_utf8(id)) {
     throw io::IoError(patch.path,
                       fmt::format("id {} is used as a file name in the results; it must be 1 to "
@@ -148,7 +142,7 @@ void check_id(const io::PatchFile& patch, const std::string& id) {
 }
 
 /// Ids that differ only in case are refused: some file systems take them for one name.
-void check_image_ids(const io::PatchFile& patch) {
+void check_image_ids(const io::Patch& patch) {
   std::set<std::string> seen;
   for (const io::PatchImage& image : patch.images) {
     check_id(patch, image.id);
@@ -159,25 +153,37 @@ void check_image_ids(const io::PatchFile& patch) {
   }
 }
 
-}  // namespace
-
-std::vector<results::InputFile> input_files(const io::PatchFile& patch) {
-  std::vector<results::InputFile> files{{"patch", patch.path}};
-  if (patch.area_file) files.push_back({"area", *patch.area_file});
-  if (patch.surface_model) files.push_back({"surface_model", *patch.surface_model});
-  for (const std::string& file : patch.orientation_files) files.push_back({"orientation", file});
-  for (const io::PatchImage& image : patch.images) files.push_back({"image", image.path});
-  for (const io::PatchImage& image : patch.images) {
+/// The files of a project, `references` last.
+std::vector<results::InputFile> files_of(const io::Project& project,
+                                         std::span<const std::optional<std::string>> references) {
+  std::vector<results::InputFile> files{{"patch", project.path}};
+  if (project.area_file) files.push_back({"area", *project.area_file});
+  if (project.surface_model) files.push_back({"surface_model", *project.surface_model});
+  for (const std::string& file : project.orientation_files) files.push_back({"orientation", file});
+  for (const io::PatchImage& image : project.images) files.push_back({"image", image.path});
+  for (const io::PatchImage& image : project.images) {
     if (image.segments) files.push_back({"segments", *image.segments});
   }
-  for (const std::string& file : io::expand_patterns(patch.lidar)) files.push_back({"cloud", file});
-  if (patch.reference_matches) files.push_back({"reference", *patch.reference_matches});
-  if (patch.reference_tracks) files.push_back({"reference", *patch.reference_tracks});
-  if (patch.reference_lines) files.push_back({"reference", *patch.reference_lines});
+  for (const std::string& file : io::expand_patterns(project.lidar))
+    files.push_back({"cloud", file});
+  for (const std::optional<std::string>& file : references) {
+    if (file) files.push_back({"reference", *file});
+  }
   return files;
 }
 
-void check_scale(const io::PatchFile& patch, const io::Crs& crs) {
+}  // namespace
+
+std::vector<results::InputFile> input_files(const io::Patch& patch) {
+  return files_of(
+      patch, std::array{patch.reference_matches, patch.reference_tracks, patch.reference_lines});
+}
+
+std::vector<results::InputFile> input_files(const io::BlockFile& block) {
+  return files_of(block, {&block.reference_lines, 1});
+}
+
+void check_scale(const io::Patch& patch, const io::Crs& crs) {
   if (!crs.known()) return;
   const Eigen::Vector3d centre =
       projection_centre(patch.images.front().image_from_world).hnormalized();
@@ -185,35 +191,28 @@ void check_scale(const io::PatchFile& patch, const io::Crs& crs) {
   (void)io::require_true_scale(patch.path, crs, centre.head<2>() / unit_m, "");
 }
 
-LocalFrame check_patch(const io::PatchFile& patch) {
+void check_patch(const io::Patch& patch, double max_image_mpx) {
   check_id(patch, patch.id);
   check_scale(patch, patch.crs);
   check_image_ids(patch);
-  LocalFrame frame;
-  int n_bands = 0;
-  for (std::size_t i = 0; i < patch.images.size(); ++i) {
-    const io::PatchImage& image = patch.images[i];
+  std::optional<int> n_bands;
+  for (const io::PatchImage& image : patch.images) {
     const io::ImageFacts facts = image.facts ? *image.facts : io::image_facts(image.path);
-    io::check_image_size(image.path, facts, patch.max_image_mpx, image.window);
+    io::check_image_size(image.path, facts, max_image_mpx, image.window);
     check_size(image, facts);
     check_window(image, facts);
     check_radiometry(image, facts);
-    check_segments(patch, image, facts);
-    const Eigen::Vector2i size_px = size_of_image(image, facts);
-    check_heights(patch, image, size_px);
-    if (i == 0) {
-      frame = reconstruct::local_frame(image.image_from_world, size_px.cast<double>(),
-                                       patch.height_range_m);
-    } else if (facts.n_bands != n_bands) {
+    check_segments(image, facts);
+    check_heights(patch, image, size_of_image(image, facts));
+    if (facts.n_bands != n_bands.value_or(facts.n_bands)) {
       throw io::IoError(
           image.path,
           fmt::format(
               "{} bands, but {} has {}; all images of a patch must have the same number of bands",
-              facts.n_bands, patch.images[0].path, n_bands));
+              facts.n_bands, patch.images[0].path, *n_bands));
     }
     n_bands = facts.n_bands;
   }
-  return frame;
 }
 
 }  // namespace ridgeline::apps

@@ -108,8 +108,8 @@ std::optional<std::string> image_file_in(const std::string& folder,
   return std::nullopt;
 }
 
-std::vector<io::PointObservation> find_image_points(const io::Orientation& orientation,
-                                                    const io::ImageFiles& files) {
+std::vector<io::PointObservation> find_points_in_files(const io::Orientation& orientation,
+                                                       const io::ImageFiles& files) {
   constexpr std::size_t kMaxPairs = 4;
   const std::vector<CandidateImage> candidates = candidates_of(orientation, files);
   std::vector<io::PointObservation> points;
@@ -130,10 +130,10 @@ std::vector<io::PointObservation> find_image_points(const io::Orientation& orien
 
 std::vector<io::PointObservation> find_image_points(const io::Orientation& orientation,
                                                     const std::string& folder) {
-  return find_image_points(orientation,
-                           transformed(orientation.images, [&](const io::OrientedImage& image) {
-                             return image_file_in(folder, image);
-                           }));
+  return find_points_in_files(orientation,
+                              transformed(orientation.images, [&](const io::OrientedImage& image) {
+                                return image_file_in(folder, image);
+                              }));
 }
 
 }  // namespace ridgeline::apps

@@ -20,8 +20,8 @@ std::optional<std::string> image_file_in(const std::string& folder, const io::Or
 /// are in pixels of the cameras; files of another size than the camera's, but of its shape, are
 /// scaled, and large ones are reduced to 16 million pixels. Pairs whose files are not there or
 /// cannot be read, are too large or have another shape, give none.
-std::vector<io::PointObservation> find_image_points(const io::Orientation& orientation,
-                                                    const io::ImageFiles& files);
+std::vector<io::PointObservation> find_points_in_files(const io::Orientation& orientation,
+                                                       const io::ImageFiles& files);
 /// The same in the files that image_file_in() finds in a folder.
 std::vector<io::PointObservation> find_image_points(const io::Orientation& orientation,
                                                     const std::string& folder);

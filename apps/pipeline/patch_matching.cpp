@@ -21,8 +21,7 @@ std::vector<Segment2> in_image(const std::vector<EdgeSegment>& segments) {
   return transformed(segments, &EdgeSegment::in_image);
 }
 
-std::vector<ReferenceEdge> in_windows(std::vector<ReferenceEdge> edges,
-                                      const io::PatchFile& patch) {
+std::vector<ReferenceEdge> in_windows(std::vector<ReferenceEdge> edges, const io::Patch& patch) {
   for (ReferenceEdge& edge : edges) {
     edge.base = in_window(edge.base, patch.images[0]);
     edge.other = in_window(edge.other, patch.images[1]);
@@ -31,7 +30,7 @@ std::vector<ReferenceEdge> in_windows(std::vector<ReferenceEdge> edges,
 }
 
 /// The largest epipolar angle over the pairs of runs in different views.
-double largest_angle_rad(const evaluate::TrueEdge& edge, const io::PatchFile& patch) {
+double largest_angle_rad(const evaluate::TrueEdge& edge, const io::Patch& patch) {
   double largest_rad = 0.0;
   for (const ObservedSegment& a : edge.runs) {
     for (const ObservedSegment& b : edge.runs) {
@@ -46,13 +45,13 @@ double largest_angle_rad(const evaluate::TrueEdge& edge, const io::PatchFile& pa
 }
 
 /// The edges that two of the first `n_views` images show.
-std::vector<evaluate::TrueEdge> true_edges(const io::PatchFile& patch,
+std::vector<evaluate::TrueEdge> true_edges(const io::Patch& patch,
                                            std::size_t n_views,
                                            double max_aligned_angle_deg) {
   std::vector<evaluate::TrueEdge> edges;
   const std::vector<std::string> images = transformed(patch.images, &io::PatchImage::id);
   for (const io::ReferenceTrack& track :
-       io::read_reference_tracks(*patch.reference_tracks, images, patch.chooses_images)) {
+       io::read_reference_tracks(*patch.reference_tracks, images, patch.images_are_chosen)) {
     evaluate::TrueEdge edge;
     for (const ObservedSegment& s : track.observations) {
       if (s.view >= n_views) continue;
@@ -99,7 +98,7 @@ std::vector<Correspondence> read_correspondences(
 }
 
 std::optional<evaluate::MatchingScore> score_patch_matches(
-    const io::PatchFile& patch,
+    const io::Patch& patch,
     const std::array<std::vector<EdgeSegment>, 2>& segments,
     std::span<const Correspondence> matches) {
   if (!patch.reference_matches) return std::nullopt;
@@ -114,7 +113,7 @@ std::optional<evaluate::MatchingScore> score_patch_matches(
 }
 
 std::optional<evaluate::TracksScore> score_patch_tracks(
-    const io::PatchFile& patch,
+    const io::Patch& patch,
     std::size_t n_views,
     std::span<const std::vector<EdgeSegment>> segments,
     std::span<const Track> tracks,

@@ -28,7 +28,7 @@ std::vector<Correspondence> read_correspondences(
 /// Compares the matches of a patch with its reference matches; nothing if the patch has none.
 /// Throws IoError for a fault of the reference file, for example ids that no segments have.
 std::optional<evaluate::MatchingScore> score_patch_matches(
-    const io::PatchFile& patch,
+    const io::Patch& patch,
     const std::array<std::vector<EdgeSegment>, 2>& segments,
     std::span<const Correspondence> matches);
 
@@ -36,7 +36,7 @@ std::optional<evaluate::MatchingScore> score_patch_matches(
 /// images are those that the tracks are of; of the others nothing counts. An edge is aligned up to
 /// this angle in every pair of its images.
 std::optional<evaluate::TracksScore> score_patch_tracks(
-    const io::PatchFile& patch,
+    const io::Patch& patch,
     std::size_t n_views,
     std::span<const std::vector<EdgeSegment>> segments,
     std::span<const Track> tracks,

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
 #include <future>
 #include <utility>
 
@@ -22,9 +23,9 @@ PixelMap ideal_from_image(const io::PatchImage& view) {
 }
 
 /// The segments of the image's own file in pixels of what is read of the image.
-std::vector<EdgeSegment> own_segments(const io::PatchImage& image, double sigma_px) {
+std::vector<EdgeSegment> own_segments(const io::PatchImage& image) {
   std::vector<EdgeSegment> segments;
-  for (EdgeSegment segment : io::read_own_segments(*image.segments, sigma_px)) {
+  for (EdgeSegment segment : io::read_own_segments(*image.segments, image.segment_sigma_px)) {
     segment.in_image = in_window(segment.in_image, image);
     if (is_read(segment.in_image, image)) segments.push_back(segment);
   }
@@ -32,10 +33,6 @@ std::vector<EdgeSegment> own_segments(const io::PatchImage& image, double sigma_
 }
 
 }  // namespace
-
-PatchPicture patch_image(const io::PatchFile& patch, std::size_t i) {
-  return read_image(patch.images.at(i), patch.max_image_mpx);
-}
 
 PatchPicture read_image(const io::PatchImage& image, double max_mpx) {
   const io::Picture picture =
@@ -45,11 +42,10 @@ PatchPicture read_image(const io::PatchImage& image, double max_mpx) {
   return {reconstruct::stretched_image(picture.pixels, ranges), picture.is_valid};
 }
 
-std::vector<PatchPicture> patch_images(const io::PatchFile& patch) {
+std::vector<PatchPicture> patch_images(const io::Patch& patch, double max_mpx) {
   std::vector<std::future<PatchPicture>> readers;
-  for (std::size_t i = 0; i < patch.images.size(); ++i)
-    readers.push_back(
-        std::async(std::launch::async, [&patch, i] { return patch_image(patch, i); }));
+  for (const io::PatchImage& image : patch.images)
+    readers.push_back(std::async(std::launch::async, read_image, std::cref(image), max_mpx));
   std::vector<PatchPicture> images;
   images.reserve(readers.size());
   for (std::future<PatchPicture>& reader : readers) images.push_back(reader.get());
@@ -65,38 +61,31 @@ reconstruct::View view_of(const io::PatchImage& image, const LocalFrame& frame) 
   return view;
 }
 
-reconstruct::Scene patch_scene(const io::PatchFile& patch, const LocalFrame& frame) {
-  reconstruct::Scene scene{{}, io::heights_in_local_m(patch, frame), frame};
-  for (const io::PatchImage& image : patch.images) scene.views.push_back(view_of(image, frame));
-  return scene;
-}
-
-reconstruct::Scene patch_scene(const io::PatchFile& patch,
-                               const LocalFrame& frame,
-                               const std::vector<PatchPicture>& images) {
-  reconstruct::Scene scene = patch_scene(patch, frame);
+reconstruct::Scene patch_scene(const io::Patch& patch, const std::vector<PatchPicture>& images) {
+  reconstruct::Scene scene{{}, io::heights_in_local_m(patch, patch.frame), patch.frame};
+  for (const io::PatchImage& image : patch.images)
+    scene.views.push_back(view_of(image, patch.frame));
   for (std::size_t i = 0; i < images.size(); ++i) {
     scene.views[i].image = images[i].image;
     scene.views[i].is_valid = images[i].is_valid;
     const io::PatchImage& image = patch.images[i];
-    if (image.segments) scene.views[i].own_segments = own_segments(image, patch.segment_sigma_px);
+    if (image.segments) scene.views[i].own_segments = own_segments(image);
   }
   return scene;
 }
 
-std::vector<std::string> unused_segments(const io::PatchFile& patch,
-                                         const reconstruct::Scene& scene) {
+std::vector<std::string> unused_segments(const io::Patch& patch, const reconstruct::Scene& scene) {
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < patch.images.size(); ++i) {
-    const std::optional<std::string>& file = patch.images[i].segments;
-    if (!file) continue;
-    const std::size_t n = io::read_own_segments(*file, patch.segment_sigma_px).size();
+    const io::PatchImage& image = patch.images[i];
+    if (!image.segments) continue;
+    const std::size_t n = io::read_own_segments(*image.segments, image.segment_sigma_px).size();
     const std::size_t n_used = extracted(scene.views[i].segments).size();
     if (n_used == n) continue;
     warnings.push_back(fmt::format(
         "{}: {} of {} segments are ignored: they lie outside the window, next to pixels without "
         "data, or where the lens distortion is unknown; ids of results count the remaining ones",
-        *file, n - n_used, n));
+        *image.segments, n - n_used, n));
   }
   return warnings;
 }

@@ -22,28 +22,23 @@ struct PatchPicture {
                      ///< whole file
   cv::Mat is_valid;  ///< reconstruct::View::is_valid
 };
-PatchPicture read_image(const io::PatchImage& image, double max_mpx);
-PatchPicture patch_image(const io::PatchFile& patch, std::size_t i);
+/// `max_mpx`: argument of io::read_picture().
+PatchPicture read_image(const io::PatchImage& image, double max_mpx = 0.0);
 
 /// The images of the patch, read in parallel. If several cannot be read, the error names the first.
-std::vector<PatchPicture> patch_images(const io::PatchFile& patch);
+std::vector<PatchPicture> patch_images(const io::Patch& patch, double max_mpx = 0.0);
 
 /// The view of an image in a frame, without image and segments. `image` must outlive it.
 reconstruct::View view_of(const io::PatchImage& image, const LocalFrame& frame);
 
-/// The views of a patch in a frame, without images and segments. The patch must outlive it.
-reconstruct::Scene patch_scene(const io::PatchFile& patch, const LocalFrame& frame);
-
-/// The views of a patch in a frame, with images and View::own_segments, without segments. The patch
-/// must outlive it. Throws IoError as io::read_own_segments().
-reconstruct::Scene patch_scene(const io::PatchFile& patch,
-                               const LocalFrame& frame,
-                               const std::vector<PatchPicture>& images);
+/// The views of a patch in its frame, without segments; if `images` are given, with these and
+/// View::own_segments. The patch must outlive it. Throws IoError as io::read_own_segments().
+reconstruct::Scene patch_scene(const io::Patch& patch,
+                               const std::vector<PatchPicture>& images = {});
 
 /// Warns of segments of another detector that are not used: their middle lies outside of the window
 /// that is read, or completed_own_segments() leaves them out.
-std::vector<std::string> unused_segments(const io::PatchFile& patch,
-                                         const reconstruct::Scene& scene);
+std::vector<std::string> unused_segments(const io::Patch& patch, const reconstruct::Scene& scene);
 
 /// The names that the files of an image's segments have in the folder of a run: edges_file() holds
 /// the extracted segments, segments_file() these and the ones found while matching.

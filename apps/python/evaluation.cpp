@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "apps/pipeline/open_patch.h"
 #include "apps/pipeline/parameters.h"
-#include "apps/pipeline/read_patch.h"
 #include "apps/python/bindings.h"
 #include "apps/python/clouds.h"
 #include "apps/python/entries.h"
@@ -81,8 +81,7 @@ results::JudgeFilesOptions judge_options(const py::dict& entries) {
   std::string patch;
   take(entries, "patch", patch);
   if (!patch.empty()) {
-    options.patch = apps::read_patch(patch);
-    if (options.cloud.assume_crs.known()) options.patch->crs = options.cloud.assume_crs;
+    options.patch = apps::read_patch(patch, options.cloud.assume_crs);
     if (options.patch_name.empty()) options.patch_name = options.patch->id;
   } else if (entries.contains("views")) {
     options.patch = patch_of_views(entries);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/pipeline/check_pair.h"
-#include "apps/pipeline/check_patch.h"
+#include "apps/pipeline/open_patch.h"
 #include "apps/pipeline/parameters.h"
 #include "apps/pipeline/patch_scene.h"
-#include "apps/pipeline/read_patch.h"
 #include "apps/pipeline/reconstructed_lines.h"
 #include "apps/python/bindings.h"
 #include "apps/python/entries.h"
@@ -50,11 +49,9 @@ reconstruct::Options options_of(const py::dict& entries) {
 /// The lines of a patch. `read` gives the normalised images, which are checked against their
 /// cameras.
 template <typename Read>
-py::dict lines_of(const io::PatchFile& patch,
-                  const reconstruct::Options& options,
-                  const Read& read) {
+py::dict lines_of(const io::Patch& patch, const reconstruct::Options& options, const Read& read) {
   return dict_of(interruptibly([&] {
-    reconstruct::Scene scene = in_local_frame(apps::patch_scene(patch, {}, read()));
+    reconstruct::Scene scene = in_local_frame(apps::patch_scene(patch, read()));
     std::vector<std::string> doubts =
         apps::check_matched_pairs(patch, scene, options, apps::kDefaultMaxYParallax_px);
     const reconstruct::Reconstruction found = reconstruct::reconstruct(std::move(scene), options);
@@ -71,7 +68,7 @@ py::dict lines_of(const io::PatchFile& patch,
 /// The lines of views in memory. `entries`: those of patch_of_views(), and `images`, a list of
 /// contiguous arrays.
 py::dict reconstruct_views(const py::dict& entries) {
-  const io::PatchFile patch = patch_of_views(entries);
+  const io::Patch patch = patch_of_views(entries);
   const auto arrays = entries["images"].cast<std::vector<py::array>>();
   std::vector<cv::Mat> raw;
   for (std::size_t i = 0; i < patch.images.size(); ++i)
@@ -84,11 +81,8 @@ py::dict reconstruct_views(const py::dict& entries) {
 }
 
 py::dict reconstruct_patch(const std::string& path, const py::dict& entries) {
-  const io::PatchFile patch = apps::read_patch(path);
-  return lines_of(patch, options_of(entries), [&] {
-    (void)apps::check_patch(patch);
-    return apps::patch_images(patch);
-  });
+  const io::Patch patch = apps::open_patch(path);
+  return lines_of(patch, options_of(entries), [&] { return apps::patch_images(patch); });
 }
 
 }  // namespace

@@ -15,8 +15,8 @@
 namespace ridgeline::python {
 namespace py = pybind11;
 
-io::PatchFile patch_of_views(const py::dict& entries) {
-  io::PatchFile patch;
+io::Patch patch_of_views(const py::dict& entries) {
+  io::Patch patch;
   patch.path = kViewsInMemory;
   patch.id = kViewsInMemory;
   take(entries, "crs", patch.crs.definition);

@@ -12,7 +12,7 @@ namespace ridgeline::python {
 
 /// Oriented images in memory as a patch without files. Entries: `views`, a list of tuples (id, 3x4
 /// matrix), `height_range_m` and `crs`. Throws std::invalid_argument for impossible values.
-io::PatchFile patch_of_views(const pybind11::dict& entries);
+io::Patch patch_of_views(const pybind11::dict& entries);
 
 /// The pixels of an array (height, width) or (height, width, bands) of uint8 or uint16, which must
 /// outlive it. Throws std::invalid_argument naming `id` for another array.

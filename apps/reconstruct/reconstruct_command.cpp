@@ -4,9 +4,9 @@
 #include "apps/common/shared_options.h"
 #include "apps/pipeline/check_pair.h"
 #include "apps/pipeline/check_patch.h"
+#include "apps/pipeline/open_patch.h"
 #include "apps/pipeline/patch_matching.h"
 #include "apps/pipeline/patch_scene.h"
-#include "apps/pipeline/read_patch.h"
 #include "apps/pipeline/reconstructed_lines.h"
 #include "evaluate/files/output_folder.h"
 #include "io/cloud/labelled_points.h"
@@ -45,7 +45,7 @@ struct ReconstructArguments {
 
 /// Gives the views the segments that the matches name: those of segments.IMAGE.csv beside the file
 /// of matches, else those extracted now.
-void find_segments(const io::PatchFile& patch,
+void find_segments(const io::Patch& patch,
                    const ReconstructArguments& a,
                    reconstruct::Scene& scene) {
   if (a.matches.empty()) return reconstruct::extract(scene.views, a.options.extraction);
@@ -78,19 +78,18 @@ reconstruct::Matched find_matches(reconstruct::Scene& scene, const ReconstructAr
 
 /// Writes all points of the surface. Throws IoError for a pair without a surface.
 void write_whole_surface(const std::string& file,
-                         const io::PatchFile& patch,
-                         const LocalFrame& frame,
+                         const io::Patch& patch,
                          const std::optional<reconstruct::Surface>& surface) {
   if (!surface)
     throw io::IoError(patch.path, "--write-surface: the images cannot be rectified to each other");
-  io::write_las(file, transformed(points_in_local(*surface), io::single_return), frame, patch.crs);
+  io::write_las(file, transformed(points_in_local(*surface), io::single_return), patch.frame,
+                patch.crs);
 }
 
 /// The lines of the patch, from the matches of a file or from those made now.
-std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
-                                                     const LocalFrame& frame,
+std::vector<reconstruct::ReconstructedLine> lines_of(const io::Patch& patch,
                                                      const ReconstructArguments& a) {
-  reconstruct::Scene scene = patch_scene(patch, frame, patch_images(patch));
+  reconstruct::Scene scene = patch_scene(patch, patch_images(patch, a.max_image_mpx));
   warn_of(check_matched_pairs(patch, scene, a.options, a.max_y_parallax_px));
   find_segments(patch, a, scene);
   if (a.matches.empty()) warn_of(unused_segments(patch, scene));
@@ -102,7 +101,7 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
                       "be rectified to each other, or --config turns off every key that uses it");
   }
   if (!a.surface.empty()) {
-    write_whole_surface(a.surface, patch, frame,
+    write_whole_surface(a.surface, patch,
                         found.pairs[0].surface
                             ? found.pairs[0].surface
                             : reconstruct::surface_of(stereo_pair(scene, kPairOfPatch)));
@@ -143,16 +142,12 @@ int run_reconstruct(ReconstructArguments a) {
   if (a.method.empty()) a.method = default_methods(a.parameters).back();
   a.options.estimation.lines.method = method_named(a.method);
   check_preset(a.parameters, {a.options.estimation.lines.method});
-  io::PatchFile patch = read_patch(a.patch);
-  inform_of(patch.decisions);
-  warn_of(patch.warnings);
-  patch.max_image_mpx = a.max_image_mpx;
-  const LocalFrame frame = check_patch(patch);
+  const io::Patch patch = open_patch(a.patch, {.max_image_mpx = a.max_image_mpx}, tell_of);
   check_outputs(a, results::paths_of(input_files(patch)));
   const io::LineFormat format = format_of(a);
   io::require_writable(format);
-  const io::LineSet lines = line_set_of(lines_of(patch, frame, a), patch_scene(patch, frame),
-                                        patch.crs, a.options.estimation.lines.method,
+  const io::LineSet lines = line_set_of(lines_of(patch, a), patch_scene(patch), patch.crs,
+                                        a.options.estimation.lines.method,
                                         a.options.estimation.lines.max_aligned_angle_deg);
   const std::size_t n_left_out =
       io::write_lines(a.out, lines, format, {.local_origin = a.local_origin});

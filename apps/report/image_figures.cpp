@@ -66,7 +66,7 @@ constexpr int kThick = 2;
 double px_per_m(const ReportPatch& patch, std::size_t image) {
   constexpr double kHalf_px = 50.0;
   const auto [low_m, high_m] = io::heights_in_local_m(*patch.patch, patch.frame);
-  const ProjectionMatrix camera = io::cameras_in_local(*patch.patch, patch.frame)[image];
+  const ProjectionMatrix camera = patch.image_from_local(image);
   const Plane3 ground(Eigen::Vector3d::UnitZ(), -(low_m + high_m) / 2.0);
   const cv::Mat& pixels = patch.images->base_pair[image];
   const Eigen::Vector2d middle_px(0.5 * pixels.cols, 0.5 * pixels.rows);
@@ -111,7 +111,8 @@ std::vector<LegendEntry> match_legend(bool has_reference) {
 }  // namespace
 
 cv::Mat figure1(const ReportPatch& patch) {
-  const auto [base, other] = io::cameras_in_local(*patch.patch, patch.frame);
+  const ProjectionMatrix base = patch.image_from_local(0);
+  const ProjectionMatrix other = patch.image_from_local(1);
   SegmentPicture picture(patch.images->base_pair[0]);
   for (const EdgeSegment& segment : patch.images->segments[0]) {
     const double angle_deg = deg_from_rad(epipolar_angle_rad(base, other, segment.line.segment));

@@ -111,8 +111,7 @@ std::vector<std::vector<LineInView>> lines_in_views(const ReportPatch& patch,
   const std::set<std::size_t> used = used_views(observations);
   std::vector<std::vector<LineInView>> shown(method.lines.size());
   for (std::size_t view = 0; view < n_views; ++view) {
-    const ProjectionMatrix camera =
-        image_from_local(patch.patch->images[view].image_from_world, patch.frame.origin_m);
+    const ProjectionMatrix camera = patch.image_from_local(view);
     const ImageField field(camera, patch.images->sizes_px[view], patch.surface_in_local);
     for (std::size_t i = 0; i < method.lines.size(); ++i) {
       if (!method.lines[i]) continue;

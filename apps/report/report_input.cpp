@@ -59,7 +59,7 @@ void read_tracks_and_pairs(const fs::path& folder,
 
 /// Reads the segments and what was found with them, if the run has extracted any.
 void read_segments_and_matches(const fs::path& folder,
-                               const io::PatchFile& patch,
+                               const io::Patch& patch,
                                ReportImages& images) {
   images.segments.resize(patch.images.size());
   const std::string matches = (folder / "matches.csv").string();
@@ -77,8 +77,9 @@ void read_segments_and_matches(const fs::path& folder,
 void read_images(const fs::path& folder, const RunInputs& inputs, ReportPatch& patch) {
   ReportImages shown;
   for (std::size_t i = 0; i < patch.patch->images.size(); ++i) {
-    (void)inputs.unchanged(patch.patch->images[i].path);
-    const cv::Mat image = patch_image(*patch.patch, i).image;
+    const io::PatchImage& stated = patch.patch->images[i];
+    (void)inputs.unchanged(stated.path);
+    const cv::Mat image = read_image(stated, inputs.max_image_mpx()).image;
     shown.pictures.push_back(display_image(image));
     shown.sizes_px.emplace_back(image.cols, image.rows);
     if (i < shown.base_pair.size()) shown.base_pair[i] = image;

@@ -75,7 +75,7 @@ struct ReportPatch {
   std::string subfolder;  ///< folder of its files in the results: "" or "PATCH/"
   LocalFrame frame;
   std::vector<ReportMethod> methods;
-  std::optional<io::PatchFile> patch;
+  std::optional<io::Patch> patch;
   std::optional<ReportImages> images;
   ShownCloud cloud;
   /// Points of the pair's surface; empty if it has none.
@@ -83,6 +83,11 @@ struct ReportPatch {
   evaluate::JudgeOptions judge;  ///< widths that its planes were fitted with
   double max_aligned_angle_deg = kMaxAlignedAngle_deg;
   std::vector<std::string> notes;  ///< what could not be shown, and why; one sentence each
+
+  /// The camera of an image of `patch` in `frame`.
+  [[nodiscard]] ProjectionMatrix image_from_local(std::size_t image) const {
+    return ridgeline::image_from_local(patch->images[image].image_from_world, frame.origin_m);
+  }
 };
 
 /// All that a report shows, as read from a folder of results and, by the paths that run.json

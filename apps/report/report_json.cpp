@@ -58,16 +58,12 @@ std::string segments_base64(const std::vector<EdgeSegment>& segments) {
   return base64(values);
 }
 
-ProjectionMatrix camera_of(const ReportPatch& patch, std::size_t view) {
-  return image_from_local(patch.patch->images[view].image_from_world, patch.frame.origin_m);
-}
-
 /// One bit a segment, the lowest of a byte first: whether the segment is aligned with its epipolar
 /// line for the other image.
 std::string aligned_base64(const ReportPatch& patch, std::size_t view, std::size_t other) {
   const std::vector<EdgeSegment>& segments = patch.images->segments[view];
-  const ProjectionMatrix own_camera = camera_of(patch, view);
-  const ProjectionMatrix other_camera = camera_of(patch, other);
+  const ProjectionMatrix own_camera = patch.image_from_local(view);
+  const ProjectionMatrix other_camera = patch.image_from_local(other);
   std::vector<std::uint8_t> bits((segments.size() + 7) / 8);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const double angle_deg =
@@ -103,7 +99,7 @@ Json view_json(const ReportPatch& patch, std::size_t i) {
           {"corner_px", Json::array({view.window ? view.window->column : 0,
                                      view.window ? view.window->row : 0})},
           {"lens", lens_json(view)},
-          {"projection", matrix_json(camera_of(patch, i))},
+          {"projection", matrix_json(patch.image_from_local(i))},
           {"segments", segments_base64(patch.images->segments[i])},
           {"aligned", std::move(aligned)},
           {"jpeg", base64(std::as_bytes(std::span(jpeg)))}};

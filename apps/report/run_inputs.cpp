@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/report/run_inputs.h"
 
-#include "apps/pipeline/read_patch.h"
+#include "apps/pipeline/open_patch.h"
 #include "evaluate/files/judge_files.h"
 #include "evaluate/files/result_folder_reader.h"
 #include "io/error.h"
@@ -84,15 +84,14 @@ std::string RunInputs::lines_of(const std::string& method) const {
   return {};
 }
 
-std::optional<io::PatchFile> RunInputs::patch(const std::string& id) const {
+std::optional<io::Patch> RunInputs::patch(const std::string& id) const {
   std::optional<io::IoError> first_error;  // thrown only if no patch has the id
   for (const std::string& path : paths("patch")) {
     try {
-      io::PatchFile patch = read_patch(unchanged(path));
+      io::Patch patch = read_patch(unchanged(path));
       for (const std::string& file : patch.orientation_files) (void)unchanged(file);
       for (const auto& file : {patch.area_file, patch.surface_model})
         if (file) (void)unchanged(*file);
-      patch.max_image_mpx = options_.value("max_image_mpx", 0.0);
       if (patch.id == id) return patch;
     } catch (const io::IoError& error) {
       if (!first_error) first_error = error;
@@ -102,8 +101,7 @@ std::optional<io::PatchFile> RunInputs::patch(const std::string& id) const {
   return std::nullopt;
 }
 
-std::optional<std::string> RunInputs::reference_lines(
-    const std::optional<io::PatchFile>& patch) const {
+std::optional<std::string> RunInputs::reference_lines(const std::optional<io::Patch>& patch) const {
   if (is_of_files_) {
     const std::vector<std::string> given = paths("reference");
     return given.empty() ? std::nullopt : std::optional(given.front());

@@ -37,9 +37,9 @@ class RunInputs {
   [[nodiscard]] std::string lines_of(const std::string& method) const;
   /// The run's patch of this id. Throws IoError if it is not found and a patch file is gone or has
   /// changed.
-  [[nodiscard]] std::optional<io::PatchFile> patch(const std::string& id) const;
+  [[nodiscard]] std::optional<io::Patch> patch(const std::string& id) const;
   [[nodiscard]] std::optional<std::string> reference_lines(
-      const std::optional<io::PatchFile>& patch) const;
+      const std::optional<io::Patch>& patch) const;
 
   /// The options that the run had, as far as its record holds them.
   /// Of the judged lines, or of true lines, whose ids and buildings are those of their own file.
@@ -48,6 +48,7 @@ class RunInputs {
   /// The options of the judge: the widths that planes are fitted with, and defaults for the rest.
   [[nodiscard]] evaluate::JudgeOptions judge_options() const;
   [[nodiscard]] double max_aligned_angle_deg() const;
+  [[nodiscard]] double max_image_mpx() const { return options_.value("max_image_mpx", 0.0); }
 
  private:
   struct Input {

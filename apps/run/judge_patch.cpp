@@ -21,11 +21,11 @@ namespace {
 
 using reconstruct::Method;
 
-std::vector<evaluate::ReferenceLine> read_references(const CheckedPatch& patch,
+std::vector<evaluate::ReferenceLine> read_references(const io::Patch& patch,
                                                      const io::Crs& assume_crs,
                                                      results::RunRecord& record) {
-  const io::LineSet set = io::read_lines(*patch.file.reference_lines, {.assume_crs = assume_crs});
-  results::refuse_mismatch("reference lines and patch", set.path, set.crs, patch.file.crs);
+  const io::LineSet set = io::read_lines(*patch.reference_lines, {.assume_crs = assume_crs});
+  results::refuse_mismatch("reference lines and patch", set.path, set.crs, patch.crs);
   record.add_warnings(results::own_warnings(set));
   return results::reference_lines_of(set, patch.frame);
 }
@@ -39,11 +39,29 @@ std::vector<evaluate::JudgedLine> as_judged(std::vector<evaluate::JudgedLine> li
 
 }  // namespace
 
-JudgedPatch::JudgedPatch(const CheckedPatch& patch,
+results::JudgeFilesOptions judge_options(const io::Patch& patch,
+                                         const RunOptions& options,
+                                         const results::OutputFolder& out,
+                                         const std::string& subfolder) {
+  results::JudgeFilesOptions judged;
+  for (const Method method : options.methods)
+    judged.line_paths.push_back(out.path(subfolder + PatchStages::line_file(method)));
+  judged.cloud_paths = patch.lidar;
+  judged.patch = patch;
+  judged.patch_name = patch.id;
+  judged.judge = options.parameters.judge;
+  judged.summary = options.summary;
+  judged.apply_shift = options.shift.apply;
+  judged.geoid = options.shift.geoid;
+  judged.n_decoys = options.n_decoys;
+  return judged;
+}
+
+JudgedPatch::JudgedPatch(const io::Patch& patch,
                          const RunOptions& options,
                          const results::OutputFolder& out,
                          results::RunRecord& record)
-    : patch_(patch.file), frame_(patch.frame), options_(options), out_(out), record_(record) {
+    : patch_(patch), options_(options), out_(out), record_(record) {
   if (patch_.reference_lines) references_ = read_references(patch, options.assume_crs, record);
 }
 
@@ -90,18 +108,9 @@ void JudgedPatch::read(PatchResult& result) const {
 }
 
 results::JudgedFiles JudgedPatch::against_lidar() const {
-  results::JudgeFilesOptions options;
-  for (const Method method : options_.methods) options.line_paths.push_back(line_path(method));
-  options.cloud_paths = patch_.lidar;
-  options.patch = patch_;
-  options.patch_name = patch_.id;
-  options.cloud.frame = frame_;
+  results::JudgeFilesOptions options = judge_options(patch_, options_, out_, patch_.id + "/");
+  options.cloud.frame = patch_.frame;
   options.cloud.assume_crs = options_.assume_crs;
-  options.judge = options_.parameters.judge;
-  options.summary = options_.summary;
-  options.apply_shift = options_.shift.apply;
-  options.geoid = options_.shift.geoid;
-  options.n_decoys = options_.n_decoys;
   options.refuse_other_places = false;
   results::JudgedFiles judged = results::judge_files(options, record_);
   record_.add_warnings(judged.warnings);
@@ -118,7 +127,7 @@ results::JudgedFiles JudgedPatch::without_lidar() const {
     evaluate::Evaluation evaluation;
     evaluation.patch = patch_.id;
     evaluation.method = reconstruct::name(method);
-    evaluation.origin_m = frame_.origin_m;
+    evaluation.origin_m = patch_.frame.origin_m;
     evaluation.options = options_.summary;
     for (auto& result :
          evaluate::judge_lines(nothing, lines_of(method), options_.parameters.judge)) {
@@ -132,7 +141,7 @@ results::JudgedFiles JudgedPatch::without_lidar() const {
 }
 
 std::vector<evaluate::JudgedLine> JudgedPatch::lines_of(Method method) const {
-  return results::judged_lines_of(io::read_lines(line_path(method)), frame_, patch_);
+  return results::judged_lines_of(io::read_lines(line_path(method)), patch_.frame, patch_);
 }
 
 std::string JudgedPatch::line_path(Method method) const {

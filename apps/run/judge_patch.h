@@ -13,11 +13,18 @@ namespace ridgeline::apps {
 /// The files of the judgement, in the patch's folder.
 std::vector<std::string> judged_files(const RunOptions& options);
 
+/// How the lines of a patch are judged that a run wrote into the `subfolder` of `out` ("" or ending
+/// in a slash), by all methods together.
+results::JudgeFilesOptions judge_options(const io::Patch& patch,
+                                         const RunOptions& options,
+                                         const results::OutputFolder& out,
+                                         const std::string& subfolder);
+
 /// The lines of a patch by all methods: they are judged together, so that the cloud is read once.
 class JudgedPatch {
  public:
   /// Throws IoError for reference lines that cannot be read or have another CRS than the patch.
-  JudgedPatch(const CheckedPatch& patch,
+  JudgedPatch(const io::Patch& patch,
               const RunOptions& options,
               const results::OutputFolder& out,
               results::RunRecord& record);
@@ -37,8 +44,7 @@ class JudgedPatch {
   [[nodiscard]] std::vector<evaluate::JudgedLine> lines_of(reconstruct::Method method) const;
   [[nodiscard]] std::string line_path(reconstruct::Method method) const;
 
-  const io::PatchFile& patch_;
-  const LocalFrame& frame_;
+  const io::Patch& patch_;
   const RunOptions& options_;
   const results::OutputFolder& out_;
   results::RunRecord& record_;

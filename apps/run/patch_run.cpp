@@ -2,6 +2,7 @@
 #include "apps/run/patch_run.h"
 
 #include "apps/common/outcome.h"
+#include "apps/pipeline/check_patch.h"
 #include "apps/pipeline/made_from.h"
 #include "apps/run/judge_patch.h"
 #include "apps/run/patch_stages.h"
@@ -52,17 +53,16 @@ void work(const Stage& stage, const std::string& folder, MadeFrom& made) {
 
 }  // namespace
 
-void check_run(const CheckedPatch& checked,
+void check_run(const io::Patch& patch,
                const RunOptions& options,
                const results::OutputFolder& out,
                results::RunRecord& record) {
-  PatchStages reconstruction(checked, options, out, record);
+  PatchStages reconstruction(patch, options, out, record);
   std::vector<std::string> files = judged_files(options);
   for (const Stage& stage : reconstruction.table())
     files.insert(files.end(), stage.files.begin(), stage.files.end());
   files.emplace_back(kStagesFile);
-  for (const std::string& file : files) (void)out.path(checked.file.id + "/" + file);
-  const io::PatchFile& patch = checked.file;
+  for (const std::string& file : files) (void)out.path(patch.id + "/" + file);
   if (patch.lidar.empty()) return;
   io::ReadOptions cloud;
   cloud.assume_crs = options.assume_crs;
@@ -73,12 +73,12 @@ void check_run(const CheckedPatch& checked,
 
 std::size_t count_steps(const RunOptions& options) { return 5 + options.methods.size(); }
 
-PatchResult run_patch(const CheckedPatch& patch,
+PatchResult run_patch(const io::Patch& patch,
                       const RunOptions& options,
                       const results::OutputFolder& out,
                       Progress& progress,
                       results::RunRecord& record) {
-  const std::string& id = patch.file.id;
+  const std::string& id = patch.id;
   PatchStages reconstruction(patch, options, out, record);
   const JudgedPatch judgement(patch, options, out, record);
   MadeFrom made(out.path(id), options.resume);

@@ -4,7 +4,6 @@
 #include "apps/common/progress.h"
 #include "apps/common/shared_options.h"
 #include "apps/pipeline/check_pair.h"
-#include "apps/pipeline/check_patch.h"
 #include "apps/pipeline/parameters.h"
 #include "evaluate/files/judged_lines.h"
 #include "evaluate/files/judged_map.h"
@@ -63,7 +62,7 @@ std::size_t count_steps(const RunOptions& options);
 /// Checks what can be checked before the work begins. `record` has the inputs. Throws IoError for
 /// outputs that are inputs, and for a cloud that cannot be read, has another CRS than the patch or
 /// fails check_scale().
-void check_run(const CheckedPatch& patch,
+void check_run(const io::Patch& patch,
                const RunOptions& options,
                const results::OutputFolder& out,
                results::RunRecord& record);
@@ -73,7 +72,7 @@ void check_run(const CheckedPatch& patch,
 /// skipped (RunOptions::resume). After RunOptions::until no stage runs; files that an earlier run
 /// made in later stages are removed if they no longer follow from the inputs. A patch without LIDAR
 /// gets its lines; their status is `no_lidar`. Throws IoError for a file's fault.
-PatchResult run_patch(const CheckedPatch& patch,
+PatchResult run_patch(const io::Patch& patch,
                       const RunOptions& options,
                       const results::OutputFolder& out,
                       Progress& progress,

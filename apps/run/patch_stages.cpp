@@ -72,16 +72,16 @@ nlohmann::ordered_json to_json(const reconstruct::EdgeFacts& facts) {
 
 }  // namespace
 
-PatchStages::PatchStages(const CheckedPatch& patch,
+PatchStages::PatchStages(const io::Patch& patch,
                          const RunOptions& options,
                          const results::OutputFolder& out,
                          results::RunRecord& record)
-    : patch_(patch.file),
+    : patch_(patch),
       options_(options),
       out_(out),
       record_(record),
       parameters_(echo(options.parameters)),
-      scene_(patch_scene(patch.file, patch.frame)) {}
+      scene_(patch_scene(patch)) {}
 
 /// Any of the options of `match`, `chio` and `reconstruct` may ask for the surface.
 std::vector<Stage> PatchStages::table() {
@@ -131,7 +131,7 @@ std::string PatchStages::extraction_key() const {
     parts.push_back(key_of_picture(image, record_.hash_of(image.path)));
     if (image.segments)
       parts.push_back(
-          fmt::format("{} {}", record_.hash_of(*image.segments), patch_.segment_sigma_px));
+          fmt::format("{} {}", record_.hash_of(*image.segments), image.segment_sigma_px));
   }
   return key_of(parts);
 }
@@ -196,7 +196,7 @@ std::string PatchStages::path(const std::string& file) const {
 
 void PatchStages::read_images() {
   if (!scene_.views[0].image.empty()) return;
-  scene_ = patch_scene(patch_, scene_.frame, patch_images(patch_));
+  scene_ = patch_scene(patch_, patch_images(patch_, options_.max_image_mpx));
 }
 
 std::array<std::vector<EdgeSegment>, 2> PatchStages::segments_of_pair() const {

@@ -35,7 +35,7 @@ class PatchStages {
  public:
   /// The files are in the subfolder of `out` that is named after the patch's id. `record` has the
   /// inputs with their hashes, and gets the warnings.
-  PatchStages(const CheckedPatch& patch,
+  PatchStages(const io::Patch& patch,
               const RunOptions& options,
               const results::OutputFolder& out,
               results::RunRecord& record);
@@ -87,7 +87,7 @@ class PatchStages {
   void write_lists_of_matchers(const reconstruct::PairMatches& result) const;
   const std::vector<std::optional<reconstruct::Surface>>& surfaces();
 
-  const io::PatchFile& patch_;
+  const io::Patch& patch_;
   const RunOptions& options_;
   const results::OutputFolder& out_;
   results::RunRecord& record_;

@@ -3,8 +3,9 @@
 
 #include "apps/common/outcome.h"
 #include "apps/common/say.h"
+#include "apps/pipeline/check_patch.h"
+#include "apps/pipeline/open_patch.h"
 #include "apps/pipeline/parameters.h"
-#include "apps/pipeline/read_patch.h"
 #include "apps/report/write_report.h"
 #include "evaluate/files/judged_map.h"
 #include "evaluate/files/write_results.h"
@@ -26,32 +27,29 @@
 namespace ridgeline::apps {
 namespace {
 
-std::vector<CheckedPatch> read_patches(const std::vector<std::string>& files,
-                                       const RunOptions& options) {
-  std::vector<CheckedPatch> patches;
+std::vector<io::Patch> open_patches(const std::vector<std::string>& files,
+                                    const RunOptions& options) {
+  std::vector<io::Patch> patches;
   std::map<std::string, std::string> file_of_id;
   for (const std::string& file : files) {
-    io::PatchFile patch = read_patch(file);
-    inform_of(patch.decisions);
-    if (options.assume_crs.known()) patch.crs = options.assume_crs;
-    patch.max_image_mpx = options.max_image_mpx;
-    const auto [other, is_new] = file_of_id.emplace(io::lower_case(patch.id), file);
-    if (!is_new) {
+    const auto before_check = [&](const io::Patch& patch) {
+      inform_of(patch.decisions);
+      const auto [other, is_new] = file_of_id.emplace(io::lower_case(patch.id), file);
+      if (is_new) return;
       throw io::IoError(file, fmt::format("id {} is also that of {} (ignoring case); ids must be "
                                           "unique, as results are named after them",
                                           patch.id, other->second));
-    }
-    const LocalFrame frame = check_patch(patch);
-    patches.push_back({std::move(patch), frame});
+    };
+    patches.push_back(open_patch(file, {options.max_image_mpx, options.assume_crs}, before_check));
   }
   return patches;
 }
 
-std::vector<results::InputFile> inputs_of(const std::vector<CheckedPatch>& patches,
+std::vector<results::InputFile> inputs_of(const std::vector<io::Patch>& patches,
                                           const RunOptions& options) {
   std::vector<results::InputFile> inputs;
-  for (const CheckedPatch& patch : patches) {
-    for (results::InputFile& file : input_files(patch.file)) inputs.push_back(std::move(file));
+  for (const io::Patch& patch : patches) {
+    for (results::InputFile& file : input_files(patch)) inputs.push_back(std::move(file));
   }
   if (!options.config_path.empty()) inputs.push_back({"config", options.config_path});
   if (!options.shift.geoid.empty()) inputs.push_back({"geoid", options.shift.geoid});
@@ -92,29 +90,28 @@ void write_table1(const evaluate::Table1& table, const results::OutputFolder& ou
 }
 
 /// The number of images of each patch that lines are reconstructed from.
-nlohmann::ordered_json n_views_by_patch(const std::vector<CheckedPatch>& patches, bool all_views) {
+nlohmann::ordered_json n_views_by_patch(const std::vector<io::Patch>& patches, bool all_views) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  for (const CheckedPatch& patch : patches)
-    json[patch.file.id] = all_views ? patch.file.images.size() : std::size_t{2};
+  for (const io::Patch& patch : patches)
+    json[patch.id] = all_views ? patch.images.size() : std::size_t{2};
   return json;
 }
 
 /// What was read of the images of each patch, [column, row, columns, rows], if it was not all.
-nlohmann::ordered_json windows_by_patch(const std::vector<CheckedPatch>& patches) {
+nlohmann::ordered_json windows_by_patch(const std::vector<io::Patch>& patches) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  for (const CheckedPatch& patch : patches) {
-    for (const io::PatchImage& image : patch.file.images) {
+  for (const io::Patch& patch : patches) {
+    for (const io::PatchImage& image : patch.images) {
       if (!image.window) continue;
       const io::Window& w = *image.window;
-      json[patch.file.id][image.id] = {w.column, w.row, w.width, w.height};
+      json[patch.id][image.id] = {w.column, w.row, w.width, w.height};
     }
   }
   return json;
 }
 
 /// Images of a patch that hold the same picture, which a copied path or file makes.
-std::vector<std::string> same_pictures(const io::PatchFile& patch,
-                                       const results::RunRecord& record) {
+std::vector<std::string> same_pictures(const io::Patch& patch, const results::RunRecord& record) {
   std::vector<std::string> warnings;
   std::map<std::string, std::string> path_of_hash;
   for (const io::PatchImage& image : patch.images) {
@@ -127,11 +124,11 @@ std::vector<std::string> same_pictures(const io::PatchFile& patch,
   return warnings;
 }
 
-std::vector<std::string> early_warnings(const std::vector<CheckedPatch>& patches,
+std::vector<std::string> early_warnings(const std::vector<io::Patch>& patches,
                                         bool all_views,
                                         const results::RunRecord& record) {
   std::vector<std::string> warnings;
-  for (const auto& [patch, frame] : patches) {
+  for (const io::Patch& patch : patches) {
     std::ranges::copy(patch.warnings, std::back_inserter(warnings));
     std::ranges::move(same_pictures(patch, record), std::back_inserter(warnings));
     if (patch.images.size() == 2 || all_views) continue;
@@ -155,8 +152,8 @@ PatchesResult write_patches(const std::vector<std::string>& patch_files,
                             results::RunRecord& record) {
   record.set_options(echo_options(options));
   PatchesResult found;
-  found.patches = read_patches(patch_files, options);
-  const std::vector<CheckedPatch>& patches = found.patches;
+  found.patches = open_patches(patch_files, options);
+  const std::vector<io::Patch>& patches = found.patches;
   const std::vector<results::InputFile> inputs = inputs_of(patches, options);
   const results::OutputFolder out(folder, results::paths_of(inputs));
   for (const char* name : {"table1.md", "table1.csv", "table1.json", "table1.tracks.csv"})
@@ -167,15 +164,15 @@ PatchesResult write_patches(const std::vector<std::string>& patch_files,
   const bool all_views = options.parameters.method.matching.tracks.all_views;
   std::vector<std::string> early = early_warnings(patches, all_views, record);
   warn_of(early);  // now, because they may say why the work fails
-  for (const auto& [patch, frame] : patches)
+  for (const io::Patch& patch : patches)
     early.insert(early.end(), patch.decisions.begin(), patch.decisions.end());
   record.add_warnings(early);
-  for (const CheckedPatch& patch : patches) check_run(patch, options, out, record);
+  for (const io::Patch& patch : patches) check_run(patch, options, out, record);
 
   Progress progress(patches.size() * count_steps(options));
   std::vector<results::TruthRows> truth;
   nlohmann::ordered_json edges = nlohmann::ordered_json::object();
-  for (const CheckedPatch& patch : patches) {
+  for (const io::Patch& patch : patches) {
     PatchResult result = run_patch(patch, options, out, progress, record);
     std::ranges::move(result.matching, std::back_inserter(found.table1.rows));
     if (result.tracks) found.table1.tracks.push_back(std::move(*result.tracks));
@@ -183,7 +180,7 @@ PatchesResult write_patches(const std::vector<std::string>& patch_files,
     std::ranges::move(result.truth, std::back_inserter(truth));
     std::ranges::move(result.messages, std::back_inserter(found.messages));
     found.n_skipped_stages += result.n_skipped_stages;
-    edges[patch.file.id] = std::move(result.edges);
+    edges[patch.id] = std::move(result.edges);
   }
   progress.clear();
   for (const std::string& warning : record.warnings()) {
@@ -233,7 +230,7 @@ void run_patches(const std::string& command,
   const std::filesystem::path results = std::filesystem::absolute(folder).lexically_normal();
   say("Results: {}\n", results.string());
   if (options.until != kLastStage) return write_report_of_run(results.string(), false);
-  for (const auto& [patch, frame] : found.patches) {
+  for (const io::Patch& patch : found.patches) {
     say("Map for QGIS: {}\n", (results / patch.id / results::map_name(product)).string());
   }
   write_report_of_run(results.string(), options.report);

@@ -11,7 +11,7 @@ namespace ridgeline::apps {
 
 /// What a run of several patches found.
 struct PatchesResult {
-  std::vector<CheckedPatch> patches;
+  std::vector<io::Patch> patches;
   evaluate::Table1 table1;
   std::vector<evaluate::Evaluation> evaluations;
   std::vector<std::string> messages;  ///< outcome_messages() of the patches

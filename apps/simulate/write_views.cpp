@@ -9,6 +9,7 @@
 #include "apps/simulate/write_orientation.h"
 #include "io/project/matches_file.h"
 #include "io/project/write_patch.h"
+#include "reconstruct/geometry/plan_box.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -39,38 +40,36 @@ simulate::ImageWindow write_image(const simulate::Scene& scene,
   return village;
 }
 
-io::PatchKeys patch_keys(const simulate::Scene& scene, const ViewOptions& options) {
-  io::PatchKeys keys;
-  if (options.flight.frame_px) keys.area_m = area_m(scene, options.flight.margin_m);
-  if (options.orientation.empty()) return keys;
-  const simulate::OrientationFiles files = simulate::orientation_files(options.orientation);
-  keys.orientation = files.orientation;
-  keys.cameras = files.cameras;
-  keys.matrix = files.matrix;
-  return keys;
+io::PatchKeys patch_keys(const std::string& orientation) {
+  if (orientation.empty()) return {};
+  const simulate::OrientationFiles files = simulate::orientation_files(orientation);
+  return {.orientation = files.orientation, .cameras = files.cameras, .matrix = files.matrix};
 }
 
 void write_patch_file(const simulate::Scene& scene,
                       const std::string& patch_id,
                       std::span<const simulate::AerialView> views,
-                      const io::PatchKeys& keys,
+                      const ViewOptions& options,
                       const results::OutputFolder& out) {
   io::PatchFile patch;
   patch.id = patch_id;
   patch.crs = scene.crs;
   patch.height_range_m = simulate::height_range_m(scene);
+  if (options.flight.frame_px) {
+    const auto [x_min, y_min, x_max, y_max] = area_m(scene, options.flight.margin_m);
+    patch.area_m = corners_of({Eigen::Vector2d(x_min, y_min), Eigen::Vector2d(x_max, y_max)});
+  }
   for (const simulate::AerialView& view : views) {
-    io::PatchImage image;
+    io::PatchImage& image = patch.images.emplace_back();
     image.id = view.id;
     image.path = image_file(view.id);
     image.image_from_world = view.image_from_world;
-    patch.images.push_back(std::move(image));
   }
   patch.lidar = {"lidar.las"};
   patch.reference_matches = kMatchesFile;
   if (have_tracks(views.size())) patch.reference_tracks = kTracksFile;
   patch.reference_lines = "truth.geojson";
-  io::write_patch(out.path(kPatchFile), patch, keys);
+  io::write_patch(out.path(kPatchFile), patch, patch_keys(options.orientation));
 }
 
 void write_true_edges(std::span<const simulate::ShownEdge> edges,
@@ -132,7 +131,7 @@ io::LineSet write_views(const simulate::Scene& bare_scene,
     simulate::measure_contrast(i, write_image(scene, views[i], options, out), edges);
   }
   write_true_edges(edges, views, out);
-  write_patch_file(scene, patch_id, views, patch_keys(scene, options), out);
+  write_patch_file(scene, patch_id, views, options, out);
   return seen_by_views(scene, oracle, views, std::move(truth));
 }
 

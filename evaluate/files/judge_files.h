@@ -28,7 +28,7 @@ struct JudgeFilesOptions {
   std::optional<Eigen::AlignedBox2d> area = {};
   std::vector<std::string> line_paths;
   std::vector<std::string> cloud_paths;  ///< files and patterns
-  std::optional<io::PatchFile> patch;    ///< its cameras class the lines aligned / not_aligned
+  std::optional<io::Patch> patch;        ///< its cameras class the lines aligned / not_aligned
   double max_aligned_angle_deg = kMaxAlignedAngle_deg;  ///< of the class aligned
   std::string patch_name;                               ///< in the tables
   std::optional<std::string> reference_lines;           ///< file of true lines, for precision etc.

@@ -38,9 +38,9 @@ std::string class_of(const io::Line& line,
 /// The segments that the images of the patch show of a line.
 std::vector<ImageObservation> seen_segments(const io::Line& line,
                                             const LocalFrame& frame,
-                                            const io::PatchFile& patch) {
+                                            const io::Patch& patch) {
   std::vector<ImageObservation> seen;
-  for (const io::LineObservation& s : observations_of(line, patch)) {
+  for (const io::LineObservation& s : observations_of(line, patch.images)) {
     const auto image = std::ranges::find(patch.images, s.image, &io::PatchImage::id);
     if (image == patch.images.end()) continue;
     seen.push_back({image_from_local(image->image_from_world, frame.origin_m), s.px});
@@ -60,7 +60,7 @@ double across_epipolar_px(const ImageObservation& a, const ImageObservation& b) 
 /// that together with it determines best where the line lies, then the others.
 std::optional<evaluate::ImageEvidence> evidence_of(const io::Line& line,
                                                    const LocalFrame& frame,
-                                                   const std::optional<io::PatchFile>& patch) {
+                                                   const std::optional<io::Patch>& patch) {
   if (!patch) return std::nullopt;
   std::vector<ImageObservation> seen = seen_segments(line, frame, *patch);
   if (seen.size() < 2) return std::nullopt;
@@ -75,7 +75,7 @@ std::optional<evaluate::ImageEvidence> evidence_of(const io::Line& line,
 JudgedLine judged_line(const io::Line& line,
                        const Eigen::Vector3d& unit_m,
                        const LocalFrame& frame,
-                       const std::optional<io::PatchFile>& patch,
+                       const std::optional<io::Patch>& patch,
                        const std::vector<ProjectionMatrix>& cameras,
                        double max_aligned_angle_deg) {
   JudgedLine judged;
@@ -108,7 +108,7 @@ std::optional<Eigen::Vector2d> inside_of_border(const io::Line& line,
   return inward->head<2>().normalized();
 }
 
-std::vector<ProjectionMatrix> cameras_of(const std::optional<io::PatchFile>& patch) {
+std::vector<ProjectionMatrix> cameras_of(const std::optional<io::Patch>& patch) {
   std::vector<ProjectionMatrix> cameras;
   if (!patch) return cameras;
   for (const auto& image : patch->images) cameras.push_back(image.image_from_world);
@@ -129,9 +129,10 @@ std::vector<Segment3> segments_of(const std::vector<evaluate::ReferenceLine>& re
 
 }  // namespace
 
-std::vector<io::LineObservation> observations_of(const io::Line& line, const io::PatchFile& patch) {
+std::vector<io::LineObservation> observations_of(const io::Line& line,
+                                                 const std::vector<io::PatchImage>& images) {
   if (!line.observations.empty() || !line.base_px || !line.other_px) return line.observations;
-  return {{patch.images[0].id, *line.base_px}, {patch.images[1].id, *line.other_px}};
+  return {{images[0].id, *line.base_px}, {images[1].id, *line.other_px}};
 }
 
 Eigen::Vector3d unit_m_of(const io::LineSet& set) {
@@ -161,7 +162,7 @@ io::LineSet in_metres(io::LineSet set) {
 
 std::vector<JudgedLine> judged_lines_of(const io::LineSet& set,
                                         const LocalFrame& frame,
-                                        const std::optional<io::PatchFile>& patch,
+                                        const std::optional<io::Patch>& patch,
                                         double max_aligned_angle_deg) {
   const std::vector<ProjectionMatrix> cameras = cameras_of(patch);
   const Eigen::Vector3d unit_m = unit_m_of(set);

@@ -19,9 +19,10 @@ namespace ridgeline::results {
 /// that the set states, else 1.
 Eigen::Vector3d unit_m_of(const io::LineSet& set);
 
-/// All image segments that a line states; those of the first two images of the patch if the line
-/// states no others.
-std::vector<io::LineObservation> observations_of(const io::Line& line, const io::PatchFile& patch);
+/// All image segments that a line states; those of the first two images if the line states no
+/// others.
+std::vector<io::LineObservation> observations_of(const io::Line& line,
+                                                 const std::vector<io::PatchImage>& images);
 
 /// A line of a file in metres of the local frame; `unit_m` is unit_m_of() the file.
 Segment3 segment_in_local(const io::Line& line,
@@ -38,7 +39,7 @@ io::LineSet in_metres(io::LineSet set);
 std::vector<evaluate::JudgedLine> judged_lines_of(
     const io::LineSet& set,
     const LocalFrame& frame,
-    const std::optional<io::PatchFile>& patch,
+    const std::optional<io::Patch>& patch,
     double max_aligned_angle_deg = kMaxAlignedAngle_deg);
 
 /// The lines moved by `by_m`, with the cameras and heights of their evidence, so that images show

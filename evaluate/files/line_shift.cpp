@@ -45,7 +45,7 @@ std::optional<ConstantShift> by_own_plan(std::vector<JudgedLine> lines,
 /// The system that states heights, of cloud, lines and cameras; else one that is known.
 io::Crs crs_of(const io::CloudFiles& cloud,
                const io::LineSet& set,
-               const std::optional<io::PatchFile>& patch) {
+               const std::optional<io::Patch>& patch) {
   std::vector<io::Crs> all{cloud.crs(), set.crs};
   if (patch) all.push_back(patch->crs);
   std::erase_if(all, [](const io::Crs& crs) { return !crs.known(); });

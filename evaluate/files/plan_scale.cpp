@@ -52,7 +52,7 @@ class Places {
 /// The one reference system of lines, cloud and cameras, which some of them may leave out.
 io::Crs common_crs(const io::CloudFiles& cloud,
                    const std::vector<io::LineSet>& sets,
-                   const std::optional<io::PatchFile>& patch) {
+                   const std::optional<io::Patch>& patch) {
   if (cloud.crs().known()) return cloud.crs();
   if (patch && patch->crs.known()) return patch->crs;
   const auto known =
@@ -88,7 +88,7 @@ void refuse_varying_scale(const std::string& path,
 }  // namespace
 
 void set_plan_scale(const std::vector<io::LineSet>& sets,
-                    const std::optional<io::PatchFile>& patch,
+                    const std::optional<io::Patch>& patch,
                     bool scale_to_ground,
                     io::CloudFiles& cloud,
                     std::vector<std::string>& warnings) {

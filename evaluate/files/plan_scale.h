@@ -19,7 +19,7 @@ namespace ridgeline::results {
 /// much over the lines or its axes are askew on the ground. Throws std::invalid_argument for
 /// `scale_to_ground` with cameras, which cannot be scaled.
 void set_plan_scale(const std::vector<io::LineSet>& sets,
-                    const std::optional<io::PatchFile>& patch,
+                    const std::optional<io::Patch>& patch,
                     bool scale_to_ground,
                     io::CloudFiles& cloud,
                     std::vector<std::string>& warnings);

@@ -82,7 +82,7 @@ PreparedLines prepare_lines(LinesToJudge to_judge,
   set_plan_scale(judged.line_sets, options.patch, options.scale_to_ground, cloud, judged.warnings);
   judged.frame = cloud.frame();
   if (options.patch && options.patch->crs.known()) {
-    const io::PatchFile& patch = *options.patch;
+    const io::Patch& patch = *options.patch;
     refuse_mismatch("patch and cloud", patch.path, patch.crs, cloud.crs(), &judged.warnings);
   }
   prepared.lines = lines_beside(cloud, options, judged);

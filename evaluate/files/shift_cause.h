@@ -20,7 +20,7 @@ struct ShiftPlace {
   io::Crs crs;                                       ///< of the cloud or the lines; may be unknown
   Eigen::Vector3d unit_m = Eigen::Vector3d::Ones();  ///< metres per unit of `crs`
   std::string geoid_path;                            ///< grid of the user; may be empty
-  const std::optional<io::PatchFile>* patch = nullptr;  ///< its cameras
+  const std::optional<io::Patch>* patch = nullptr;   ///< its cameras
 };
 
 /// A clause on what explains a significant shift, "" if nothing known does:

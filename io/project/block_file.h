@@ -7,12 +7,10 @@
 
 namespace ridgeline::io {
 
-/// A block of oriented frames, which is reconstructed patch by patch.
-struct BlockFile {
-  /// All frames, and what every patch of the block shares. The id is the name of the block; heights
-  /// and images of the patches are still to be decided, and the area may be empty: then all that
-  /// two frames show.
-  PatchFile patch;
+/// What the file of a block of oriented frames states, which is reconstructed patch by patch. The
+/// images are all frames, from which the images of each patch are chosen. Without an area the block
+/// is all that two frames show.
+struct BlockFile : ProjectFile {
   double patch_size_m = 100.0;  ///< side of the squares that the block is cut into
   double overlap_m = 20.0;      ///< by which a patch reaches beyond its square on all sides
 };

@@ -12,6 +12,11 @@ std::optional<Eigen::Vector2d> undistorted_px(const PatchImage& image,
   return *ideal - image.window_px;
 }
 
+Eigen::Vector2i turned_size_px(const PatchImage& image, const ImageFacts& facts) {
+  return swaps_axes(image.turn) ? Eigen::Vector2i(facts.height_px, facts.width_px)
+                                : Eigen::Vector2i(facts.width_px, facts.height_px);
+}
+
 Segment2 in_window(const Segment2& in_file, const PatchImage& image) {
   if (!image.window) return in_file;
   const Eigen::Vector2d corner(image.window->column, image.window->row);
@@ -32,12 +37,7 @@ void read_window_only(PatchImage& image, const Window& window) {
   image.image_from_world = window_from_world(image.image_from_world, corner);
 }
 
-std::array<ProjectionMatrix, 2> cameras_in_local(const PatchFile& patch, const LocalFrame& frame) {
-  return {image_from_local(patch.images[0].image_from_world, frame.origin_m),
-          image_from_local(patch.images[1].image_from_world, frame.origin_m)};
-}
-
-std::array<double, 2> heights_in_local_m(const PatchFile& patch, const LocalFrame& frame) {
+std::array<double, 2> heights_in_local_m(const Patch& patch, const LocalFrame& frame) {
   return {patch.height_range_m[0] - frame.origin_m.z(),
           patch.height_range_m[1] - frame.origin_m.z()};
 }

@@ -21,6 +21,10 @@
 
 namespace ridgeline::io {
 
+/// Standard deviation across the line of the ends that another detector gives, if neither its file
+/// nor the patch states it: that of OpenCV's LSD against the true edges of the sample patches.
+constexpr double kDefaultSegmentSigma_px = 0.3;
+
 /// One oriented image of a patch.
 struct PatchImage {
   std::string id;
@@ -34,6 +38,7 @@ struct PatchImage {
   std::vector<std::array<double, 2>> radiometry{};
   std::optional<ImageFacts> facts{};      ///< of the file, if its header has been read
   std::optional<std::string> segments{};  ///< file of another detector, see read_own_segments()
+  double segment_sigma_px = kDefaultSegmentSigma_px;  ///< argument of read_own_segments()
   /// Interior orientation of the full frame; set only if the patch gives it. undistorted_px()
   /// removes its distortion.
   std::optional<InteriorOrientation> interior;
@@ -47,56 +52,64 @@ std::optional<Eigen::Vector2d> undistorted_px(const PatchImage& image, const Eig
 /// Lets nothing but a window of the file, which has been read whole so far, be read.
 void read_window_only(PatchImage& image, const Window& window);
 
+/// Columns and rows of the file of an image when it has been turned.
+Eigen::Vector2i turned_size_px(const PatchImage& image, const ImageFacts& facts);
+
 /// A segment in pixels of the file in those of the window that is read of it.
 Segment2 in_window(const Segment2& in_file, const PatchImage& image);
 /// Whether the middle of a segment lies in what is read of the image.
 bool is_read(const Segment2& in_window, const PatchImage& image);
 
-/// Where the heights to search in come from.
-enum class HeightSource : std::uint8_t { kStated, kLidar, kSurfaceModel };
-
 /// The images of a patch are at most so many if the patch states an area and no number.
 constexpr std::size_t kDefaultMaxViews = 5;
 
-/// Standard deviation across the line of the ends that another detector gives, if neither its file
-/// nor the patch states it: that of OpenCV's LSD against the true edges of the sample patches.
-constexpr double kDefaultSegmentSigma_px = 0.3;
-
-/// What belongs together in one reconstruction: images, heights to search in, LIDAR.
-struct PatchFile {
-  std::string path;
+/// Images of one place, and what belongs to them.
+struct Project {
+  std::string path;  ///< of the patch or block file
   std::string id;
   Crs crs;
-  std::array<double, 2>
-      height_range_m{};            ///< lowest, highest object height in the CRS; see `heights`
-  std::vector<PatchImage> images;  ///< the first is the base image; see `chooses_images`
+  std::vector<PatchImage> images;  ///< of a patch, the first is the base image
   std::vector<std::string> lidar;  ///< files or glob patterns; may be empty
-  std::optional<std::string> reference_matches;
-  std::optional<std::string> reference_tracks;
   std::optional<std::string> reference_lines;
+  std::optional<std::string> surface_model;    ///< raster of heights
+  std::optional<std::string> area_file;        ///< polygons that the area is of
   std::vector<std::string> orientation_files;  ///< what the key `orientation` made the reader read
-  std::vector<std::string> decisions;  ///< what the orientation leaves open and how it was decided
-  std::vector<std::string> warnings;   ///< of the orientation
-  HeightSource heights =
-      HeightSource::kStated;  ///< if it is another one, height_range_m has no values yet
-  std::optional<std::string> surface_model;  ///< raster of heights
-  std::optional<std::string> area_file;      ///< polygons that `area_m` is of
-  /// Corners of the convex area to be reconstructed, counter-clockwise, metres in the CRS; empty if
-  /// the patch states none.
-  std::vector<Eigen::Vector2d> area_m;
-  /// Whether `images` are all that there are, of which those that show the area best are still to
-  /// be chosen.
-  bool chooses_images = false;
-  std::size_t max_views = kDefaultMaxViews;  ///< to be chosen at most
-  std::vector<PatchImage>
-      without_file;  ///< oriented images that no file of a folder or pattern shows
-  double segment_sigma_px = kDefaultSegmentSigma_px;  ///< argument of read_own_segments()
-  double max_image_mpx = 0.0;  ///< argument of read_image(); the user says it, not the file
+  std::vector<std::string> decisions;          ///< what is left open and how it was decided
+  std::vector<std::string> warnings;
 };
 
-/// Cameras of the pair, the first two images, and the range of heights in the local frame.
-std::array<ProjectionMatrix, 2> cameras_in_local(const PatchFile& patch, const LocalFrame& frame);
-std::array<double, 2> heights_in_local_m(const PatchFile& patch, const LocalFrame& frame);
+/// What patch and block files state. Decisions and warnings are those of the orientation.
+struct ProjectFile : Project {
+  /// Lowest, highest object height in the CRS. Unset (`auto`), they are those of the surface model
+  /// if there is one, else of the LIDAR.
+  std::optional<std::array<double, 2>> height_range_m;
+  /// Corners of the convex area to be reconstructed, counter-clockwise, metres in the CRS; empty if
+  /// the file states none.
+  std::vector<Eigen::Vector2d> area_m;
+  /// If set, the images are candidates, of which at most so many are to be chosen.
+  std::optional<std::size_t> max_views;
+  std::vector<PatchImage>
+      without_file;  ///< oriented images that no file of a folder or pattern shows
+};
+
+/// What a patch file states.
+struct PatchFile : ProjectFile {
+  std::optional<std::string> reference_matches;
+  std::optional<std::string> reference_tracks;
+};
+
+/// What belongs together in one reconstruction: a patch whose images, windows and heights have been
+/// decided.
+struct Patch : Project {
+  std::array<double, 2> height_range_m{};  ///< lowest, highest object height in the CRS
+  LocalFrame frame{};  ///< near what the base image shows; by default that of the world
+  std::optional<std::string> reference_matches{};
+  std::optional<std::string> reference_tracks{};
+  bool images_are_chosen = false;  ///< from those of the file, which tracks may name, too
+};
+
+/// The range of heights in a local frame.
+std::array<double, 2> heights_in_local_m(const Patch& patch, const LocalFrame& frame);
 
 /// The files of Orientation::images, where they are known.
 using ImageFiles = std::vector<std::optional<std::string>>;

@@ -2,6 +2,7 @@
 #include "io/project/patch_area.h"
 
 #include "io/gdal/polygon_outline.h"
+#include "reconstruct/geometry/plan_box.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@ std::vector<Eigen::Vector2d> corners_of_bounds(const YamlMap& patch) {
         fmt::format("area = [{}, {}, {}, {}]; must be [x_min, y_min, x_max, y_max] with min <= max",
                     low.x(), low.y(), high.x(), high.y()));
   }
-  return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+  return corners_of({low, high});
 }
 
 }  // namespace

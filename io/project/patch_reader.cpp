@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 #include <string_view>
@@ -30,11 +29,8 @@ bool in_one_place(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return (a - b).norm() <= kRelativeTolerance * a.norm();
 }
 
-/// What a file of images is: a patch, or a block of frames that patches are cut out of.
-enum class ProjectKind : std::uint8_t { kPatch, kBlock };
-
-std::vector<std::string_view> keys_of(ProjectKind kind) {
-  const bool is_block = kind == ProjectKind::kBlock;
+/// The keys of a patch file, or of a block file.
+std::vector<std::string_view> keys_of(bool is_block) {
   std::vector<std::string_view> keys{is_block ? "block" : "id",
                                      "crs",
                                      "height_range",
@@ -62,28 +58,17 @@ std::vector<std::string_view> keys_of(ProjectKind kind) {
 
 class PatchReader {
  public:
-  PatchReader(const std::string& path, ProjectKind kind)
+  PatchReader(const std::string& path, bool is_block)
       : path_(path),
         folder_(std::filesystem::path(path).parent_path()),
-        kind_(kind),
+        is_block_(is_block),
         map_(path,
-             load_yaml(path, is_block() ? FileGroup::kBlock : FileGroup::kPatch),
-             keys_of(kind)) {}
+             load_yaml(path, is_block ? FileGroup::kBlock : FileGroup::kPatch),
+             keys_of(is_block)) {}
 
   [[nodiscard]] PatchFile read(const FindPatchPoints& find) {
     PatchFile patch;
-    patch.path = path_;
-    patch.id = map_.text(is_block() ? "block" : "id");
-    patch.crs = stated_crs(map_);
-    if (map_.has("lidar")) {
-      for (const std::string& file : map_.texts("lidar")) patch.lidar.push_back(resolved(file));
-    }
-    read_heights(patch);
-    read_orientation(find, patch);
-    read_area(patch);
-    read_images(patch);
-    check_images(patch);
-    read_segments(patch);
+    read_project(find, patch);
     patch.reference_matches = optional_path("reference_matches");
     patch.reference_tracks = optional_path("reference_tracks");
     patch.reference_lines = optional_path("reference_lines");
@@ -95,7 +80,8 @@ class PatchReader {
     if (map_.has("segments")) {
       map_.fail("segments", "segments are only for patches; a block extracts its own");
     }
-    block.patch = read(find);
+    read_project(find, block);
+    block.reference_lines = optional_path("reference_lines");
     if (map_.has("patch_size_m")) block.patch_size_m = length_m("patch_size_m", 20.0, 10000.0);
     if (map_.has("overlap_m")) block.overlap_m = length_m("overlap_m", 1.0, 1000.0);
     if (block.overlap_m > 0.5 * block.patch_size_m) {
@@ -109,7 +95,21 @@ class PatchReader {
   }
 
  private:
-  [[nodiscard]] bool is_block() const { return kind_ == ProjectKind::kBlock; }
+  /// All but reference data.
+  void read_project(const FindPatchPoints& find, ProjectFile& project) {
+    project.path = path_;
+    project.id = map_.text(is_block_ ? "block" : "id");
+    project.crs = stated_crs(map_);
+    if (map_.has("lidar")) {
+      for (const std::string& file : map_.texts("lidar")) project.lidar.push_back(resolved(file));
+    }
+    read_heights(project);
+    read_orientation(find, project);
+    read_area(project);
+    read_images(project);
+    check_images(project);
+    read_segments(project);
+  }
 
   [[nodiscard]] double length_m(const char* key, double least, double most) const {
     const double value = map_.number(key);
@@ -127,9 +127,9 @@ class PatchReader {
     return map_.has(key) ? std::optional(resolved(map_.text(key))) : std::nullopt;
   }
 
-  /// Reads the orientation if the patch names one. The patch takes its reference system if it
+  /// Reads the orientation if the file names one. The project takes its reference system if it
   /// states none itself.
-  void read_orientation(const FindPatchPoints& find, PatchFile& patch) {
+  void read_orientation(const FindPatchPoints& find, ProjectFile& project) {
     if (!map_.has("orientation")) {
       for (const char* key : {"cameras", "angles", "rotation", "matrix"}) {
         if (map_.has(key)) map_.fail(key, fmt::format("{} requires orientation", key));
@@ -137,11 +137,11 @@ class PatchReader {
       return;
     }
     if (map_.has("colmap")) map_.fail("orientation", "orientation requires images, not colmap");
-    orientation_.emplace(map_, folder_, patch.crs, images_to_orient(), find);
-    if (!patch.crs.known()) patch.crs = orientation_->crs();
-    patch.orientation_files = orientation_->files();
-    patch.decisions = orientation_->decisions();
-    patch.warnings = orientation_->warnings();
+    orientation_.emplace(map_, folder_, project.crs, images_to_orient(), find);
+    if (!project.crs.known()) project.crs = orientation_->crs();
+    project.orientation_files = orientation_->files();
+    project.decisions = orientation_->decisions();
+    project.warnings = orientation_->warnings();
   }
 
   [[nodiscard]] std::vector<ImageToOrient> images_to_orient() const {
@@ -160,12 +160,12 @@ class PatchReader {
     return {.name = std::filesystem::path(file).filename().string(), .path = file};
   }
 
-  void read_heights(PatchFile& patch) const {
-    patch.surface_model = optional_path("surface_model");
+  void read_heights(ProjectFile& project) const {
+    project.surface_model = optional_path("surface_model");
     const YAML::Node node = map_.node("height_range");
     if (!node.IsScalar()) {
-      patch.height_range_m = height_range();
-      if (patch.surface_model) {
+      project.height_range_m = height_range();
+      if (project.surface_model) {
         map_.fail("surface_model", "surface_model is only used with height_range: auto");
       }
       return;
@@ -174,10 +174,9 @@ class PatchReader {
       map_.fail("height_range", fmt::format("height_range = {}; must be [lowest, highest] or auto",
                                             map_.text("height_range")));
     }
-    if (!patch.surface_model && patch.lidar.empty()) {
+    if (!project.surface_model && project.lidar.empty()) {
       map_.fail("height_range", "height_range: auto requires lidar or surface_model");
     }
-    patch.heights = patch.surface_model ? HeightSource::kSurfaceModel : HeightSource::kLidar;
   }
 
   [[nodiscard]] std::array<double, 2> height_range() const {
@@ -191,12 +190,12 @@ class PatchReader {
     return {range[0], range[1]};
   }
 
-  void read_area(PatchFile& patch) const {
-    patch.area_m = area_of_patch(map_, folder_, patch.crs);
+  void read_area(ProjectFile& project) const {
+    project.area_m = area_of_patch(map_, folder_, project.crs);
     if (map_.has("area") && map_.node("area").IsScalar())
-      patch.area_file = resolved(map_.text("area"));
+      project.area_file = resolved(map_.text("area"));
     if (!map_.has("max_views")) return;
-    if (patch.area_m.empty() && !is_block()) {
+    if (project.area_m.empty() && !is_block_) {
       map_.fail("max_views", "max_views requires area, whose best images it selects");
     }
     const double most = map_.number("max_views");
@@ -205,50 +204,51 @@ class PatchReader {
       map_.fail("max_views",
                 fmt::format("max_views = {}; must be a whole number, 2 to {}", most, kMaxViews));
     }
-    patch.max_views = static_cast<std::size_t>(most);
+    project.max_views = static_cast<std::size_t>(most);
   }
 
-  void read_images(PatchFile& patch) const {
+  void read_images(ProjectFile& project) const {
     if (map_.has("images") == map_.has("colmap")) {
       map_.fail("images", "exactly one of the keys images and colmap is required");
     }
-    if (is_block() && map_.has("images") && !names_files(map_)) {
+    if (is_block_ && map_.has("images") && !names_files(map_)) {
       map_.fail("images", "the images of a block must be a folder or file patterns");
     }
-    patch.chooses_images =
-        is_block() || (!patch.area_m.empty() && (map_.has("colmap") || names_files(map_)));
-    if (map_.has("max_views") && !patch.chooses_images) {
+    const bool are_candidates =
+        is_block_ || (!project.area_m.empty() && (map_.has("colmap") || names_files(map_)));
+    if (map_.has("max_views") && !are_candidates) {
       map_.fail("max_views",
                 "max_views requires images given by folder or pattern, or colmap; images listed "
                 "one by one are all used");
     }
-    if (patch.chooses_images && map_.has("reference_matches")) {
+    if (are_candidates && map_.has("reference_matches")) {
       map_.fail("reference_matches",
                 "reference_matches refers to the first two images, which depend on the area; use "
                 "reference_tracks, or list the images");
     }
+    if (are_candidates && !project.max_views) project.max_views = kDefaultMaxViews;
     if (map_.has("colmap")) {
-      patch.images = colmap_images();
+      project.images = colmap_images();
       return;
     }
     if (map_.has("colmap_images")) map_.fail("colmap_images", "colmap_images requires colmap");
-    if (names_files(map_)) return read_image_files(patch);
+    if (names_files(map_)) return read_image_files(project);
     for (const ListedImage& image : listed_images())
-      patch.images.push_back(image.read(orientation_ ? &*orientation_ : nullptr));
+      project.images.push_back(image.read(orientation_ ? &*orientation_ : nullptr));
   }
 
   /// The files of a folder or pattern, without those that the orientation does not know.
-  void read_image_files(PatchFile& patch) const {
+  void read_image_files(ProjectFile& project) const {
     if (!orientation_)
       map_.fail("images", "images given by folder or pattern require an orientation");
     try {
       OrientedFiles files = orientation_->images_of(image_files(map_, folder_));
-      patch.images = std::move(files.images);
-      patch.without_file = std::move(files.without_file);
+      project.images = std::move(files.images);
+      project.without_file = std::move(files.without_file);
       if (files.unknown.empty()) return;
-      patch.warnings.push_back(fmt::format(
+      project.warnings.push_back(fmt::format(
           "{}: {} of {} image files are not in the orientation and are ignored; the first is {}",
-          path_, files.unknown.size(), files.unknown.size() + patch.images.size(),
+          path_, files.unknown.size(), files.unknown.size() + project.images.size(),
           files.unknown.front()));
     } catch (const std::invalid_argument& error) {
       map_.fail("images", error.what());
@@ -281,13 +281,13 @@ class PatchReader {
 
   /// Images of which some are still to be chosen may share places, as those of a camera with
   /// several heads do.
-  void check_images(const PatchFile& patch) const {
+  void check_images(const ProjectFile& project) const {
     const char* key = map_.has("images") ? "images" : "colmap";
-    const std::vector<PatchImage>& images = patch.images;
+    const std::vector<PatchImage>& images = project.images;
     if (images.size() < 2) {
       map_.fail(key, fmt::format("{} images; at least two are required", images.size()));
     }
-    if (patch.chooses_images) return;
+    if (project.max_views) return;
     const std::vector<Eigen::Vector3d> centres =
         transformed(images, [](const PatchImage& image) -> Eigen::Vector3d {
           return projection_centre(image.image_from_world).hnormalized();
@@ -309,31 +309,33 @@ class PatchReader {
   }
 
   /// The files of segments by the ids of their images.
-  void read_segments(PatchFile& patch) const {
+  void read_segments(ProjectFile& project) const {
+    double sigma_px = kDefaultSegmentSigma_px;
     if (map_.has("segment_sigma_px")) {
       if (!map_.has("segments")) {
         map_.fail("segment_sigma_px", "segment_sigma_px requires segments");
       }
-      patch.segment_sigma_px = map_.number("segment_sigma_px");
-      if (!(patch.segment_sigma_px > 0.0)) {
+      sigma_px = map_.number("segment_sigma_px");
+      if (!(sigma_px > 0.0)) {
         map_.fail("segment_sigma_px",
-                  fmt::format("segment_sigma_px = {}; must be positive", patch.segment_sigma_px));
+                  fmt::format("segment_sigma_px = {}; must be positive", sigma_px));
       }
     }
     if (!map_.has("segments")) return;
     const YamlMap files(path_, map_.node("segments"),
-                        transformed(patch.images, [](const PatchImage& image) {
+                        transformed(project.images, [](const PatchImage& image) {
                           return std::string_view(image.id);
                         }));
-    for (PatchImage& image : patch.images) {
+    for (PatchImage& image : project.images) {
       const char* id = image.id.c_str();
+      image.segment_sigma_px = sigma_px;
       if (files.has(id)) image.segments = resolved(files.text(id));
     }
   }
 
   std::string path_;
   std::filesystem::path folder_;
-  ProjectKind kind_;
+  bool is_block_;  ///< else the file is that of a patch
   YamlMap map_;
   std::optional<PatchOrientation> orientation_;
 };
@@ -341,11 +343,11 @@ class PatchReader {
 }  // namespace
 
 PatchFile read_patch(const std::string& path, const FindPatchPoints& find) {
-  return PatchReader(path, ProjectKind::kPatch).read(find);
+  return PatchReader(path, false).read(find);
 }
 
 BlockFile read_block_file(const std::string& path, const FindPatchPoints& find) {
-  return PatchReader(path, ProjectKind::kBlock).read_block(find);
+  return PatchReader(path, true).read_block(find);
 }
 
 }  // namespace ridgeline::io

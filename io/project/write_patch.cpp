@@ -4,6 +4,7 @@
 #include "io/files/atomic_file.h"
 #include "io/orientation/conventions.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/plan_box.h"
 
 #include <yaml-cpp/yaml.h>
 
@@ -95,17 +96,25 @@ void emit(const char* key, const std::optional<std::string>& file, YAML::Emitter
 
 /// The files of segments that another detector found, by image.
 void emit_segments(const PatchFile& patch, YAML::Emitter& yaml) {
-  if (std::ranges::none_of(patch.images,
-                           [](const auto& image) { return image.segments.has_value(); }))
-    return;
+  const auto with_segments = std::ranges::find_if(
+      patch.images, [](const auto& image) { return image.segments.has_value(); });
+  if (with_segments == patch.images.end()) return;
   yaml << YAML::Key << "segments" << YAML::Value << YAML::BeginMap;
   for (const PatchImage& image : patch.images) emit(image.id.c_str(), image.segments, yaml);
   yaml << YAML::EndMap;
-  yaml << YAML::Key << "segment_sigma_px" << YAML::Value << patch.segment_sigma_px;
+  yaml << YAML::Key << "segment_sigma_px" << YAML::Value << with_segments->segment_sigma_px;
+}
+
+/// As bounds.
+void emit_area(const std::vector<Eigen::Vector2d>& area_m, YAML::Emitter& yaml) {
+  if (area_m.empty()) return;
+  const Eigen::AlignedBox2d box = box_around(area_m);
+  check(corners_of(box) == area_m, "write_patch: the area must be an upright rectangle");
+  emit_numbers("area", std::array{box.min().x(), box.min().y(), box.max().x(), box.max().y()},
+               yaml);
 }
 
 void emit(const PatchKeys& keys, YAML::Emitter& yaml) {
-  if (keys.area_m) emit_numbers("area", *keys.area_m, yaml);
   for (const auto& [key, word] :
        {std::pair("orientation", keys.orientation), std::pair("cameras", keys.cameras),
         std::pair("matrix", keys.matrix)}) {
@@ -116,11 +125,13 @@ void emit(const PatchKeys& keys, YAML::Emitter& yaml) {
 }  // namespace
 
 void write_patch(const std::string& path, const PatchFile& patch, const PatchKeys& keys) {
+  check(patch.height_range_m.has_value(), "write_patch: the heights must be stated");
   YAML::Emitter yaml;
   yaml.SetDoublePrecision(kLossless);
   yaml << YAML::BeginMap << YAML::Key << "id" << YAML::Value << YAML::DoubleQuoted << patch.id;
   if (patch.crs.known()) yaml << YAML::Key << "crs" << YAML::Value << patch.crs.definition;
-  emit_numbers("height_range", patch.height_range_m, yaml);
+  emit_numbers("height_range", *patch.height_range_m, yaml);
+  emit_area(patch.area_m, yaml);
   emit(keys, yaml);
   yaml << YAML::Key << "images" << YAML::Value << YAML::BeginSeq;
   for (const PatchImage& image : patch.images) emit(image, keys.orientation.empty(), yaml);

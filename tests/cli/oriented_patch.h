@@ -80,8 +80,8 @@ class OrientedPatch : public SmallPatch {
     write(path("patch/oriented.yaml"),
           fmt::format("id: '1'\ncrs: '{}'\nheight_range: [{}, {}]\nlidar: lidar.las\n"
                       "orientation: opk.csv\ncameras: cameras.yaml\nimages:\n{}",
-                      patch.crs.definition, patch.height_range_m[0], patch.height_range_m[1],
-                      images));
+                      patch.crs.definition, patch.height_range_m->at(0),
+                      patch.height_range_m->at(1), images));
   }
 
   [[nodiscard]] ProgramResult run_oriented(const std::vector<std::string>& more = {}) const {

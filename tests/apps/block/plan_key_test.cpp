@@ -107,9 +107,9 @@ TEST_F(PlanKey, ChangesWithAFileBesideTheSurfaceModel) {
 TEST_F(PlanKey, OfThePictureIsWithoutThePose) {
   simulate::write_orientation(folder_.file("."), "opk", orientation(0.0, 40.0));
   const std::string keys = "height_range: [0, 10]\norientation: opk.csv\ncameras: cameras.yaml\n";
-  const io::PatchImage before = block(keys).patch.images.front();
+  const io::PatchImage before = block(keys).images.front();
   simulate::write_orientation(folder_.file("."), "opk", orientation(0.5, 40.0));
-  const io::PatchImage after = block(keys).patch.images.front();
+  const io::PatchImage after = block(keys).images.front();
   EXPECT_EQ(key_of_picture(before, "hash"), key_of_picture(after, "hash"));
   EXPECT_NE(key_of_view(before, "hash"), key_of_view(after, "hash"));
   EXPECT_NE(key_of_picture(before, "hash"), key_of_picture(before, "another"));

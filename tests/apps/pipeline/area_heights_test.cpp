@@ -33,7 +33,6 @@ io::PatchFile patch_on_slope(const io::TempFolder& folder) {
   io::PatchFile patch;
   patch.path = "patch.yaml";
   patch.lidar = {folder.write("lidar.xyz", points)};
-  patch.heights = io::HeightSource::kLidar;
   return patch;
 }
 
@@ -41,20 +40,20 @@ TEST(AreaHeights, AreThoseOfTheLidarWithinTheArea) {
   const io::TempFolder folder;
   io::PatchFile patch = patch_on_slope(folder);
   patch.area_m = {{20.0, 10.0}, {60.0, 10.0}, {60.0, 90.0}, {20.0, 90.0}};
-  const AreaHeights heights = area_heights(patch);
+  const std::vector<double> heights_m = area_heights_m(patch);
   constexpr double kRounding_m = 1e-6;
-  EXPECT_NEAR(heights.range_m[0], 52.0 - kHeightMargin_m, kRounding_m);
-  EXPECT_NEAR(heights.range_m[1], 56.0 + kHeightMargin_m, kRounding_m);
-  EXPECT_EQ(heights.n, 41U * 81U);
+  EXPECT_NEAR(height_range_m(heights_m)[0], 52.0 - kHeightMargin_m, kRounding_m);
+  EXPECT_NEAR(height_range_m(heights_m)[1], 56.0 + kHeightMargin_m, kRounding_m);
+  EXPECT_EQ(heights_m.size(), 41U * 81U);
   patch.area_m = {{20.0, 10.0}, {60.0, 10.0}, {20.0, 50.0}};  // a triangle
-  EXPECT_EQ(area_heights(patch).n, 41U * 42U / 2U);
+  EXPECT_EQ(area_heights_m(patch).size(), 41U * 42U / 2U);
 }
 
 TEST(AreaHeights, WithoutAPointInTheAreaAreAnError) {
   const io::TempFolder folder;
   io::PatchFile patch = patch_on_slope(folder);
   patch.area_m = {{1000.0, 0.0}, {1100.0, 0.0}, {1100.0, 100.0}};
-  EXPECT_THROW((void)area_heights(patch), io::IoError);
+  EXPECT_THROW((void)area_heights_m(patch), io::IoError);
 }
 
 }  // namespace

@@ -21,21 +21,18 @@ io::PatchImage frame_above(const std::string& id, double x_m, double y_m) {
   return image;
 }
 
-io::PatchFile patch_of_area() {
-  io::PatchFile patch;
-  patch.area_m = {{4000.0, 5000.0}, {4060.0, 5000.0}, {4060.0, 5050.0}, {4000.0, 5050.0}};
-  patch.height_range_m = {0.0, 30.0};
-  return patch;
+SearchedPlace searched_place() {
+  return {{{4000.0, 5000.0}, {4060.0, 5000.0}, {4060.0, 5050.0}, {4000.0, 5050.0}}, {0.0, 30.0}};
 }
 
 /// Whether the window holds what the image shows of the area, with 32 px around it or the border of
 /// the frame.
 void expect_holds_area(const io::Window& window,
-                       const io::PatchFile& patch,
+                       const SearchedPlace& place,
                        const io::PatchImage& image) {
   Eigen::AlignedBox2d shown;
-  for (const Eigen::Vector2d& corner : patch.area_m) {
-    for (const double z : patch.height_range_m) {
+  for (const Eigen::Vector2d& corner : place.area_m) {
+    for (const double z : place.height_range_m) {
       Eigen::Vector2d x =
           (image.image_from_world * Eigen::Vector4d(corner.x(), corner.y(), z, 1.0)).hnormalized();
       if (!image.interior->distortion.is_zero()) x = distorted_px(*image.interior, x);
@@ -49,37 +46,37 @@ void expect_holds_area(const io::Window& window,
 }
 
 TEST(WindowOfArea, HoldsTheAreaAtAllHeightsAndNoMore) {
-  const io::PatchFile patch = patch_of_area();
+  const SearchedPlace place = searched_place();
   io::PatchImage image = frame_above("a", 4050.0, 5000.0);
   const Eigen::Vector2i size(4000, 3000);
-  expect_holds_area(window_of_area(patch, image, size).value(), patch, image);
+  expect_holds_area(window_of_area(place, image, size).value(), place, image);
   image.interior->distortion.k1 = -0.3;  // moves pixels by up to 8 here
-  expect_holds_area(window_of_area(patch, image, size).value(), patch, image);
+  expect_holds_area(window_of_area(place, image, size).value(), place, image);
 }
 
 TEST(WindowOfArea, EndsAtTheBorderOfTheFrame) {
-  const io::PatchFile patch = patch_of_area();
+  const SearchedPlace place = searched_place();
   const Eigen::Vector2i size(4000, 3000);
-  const io::Window window = window_of_area(patch, frame_above("a", 4200.0, 5000.0), size).value();
+  const io::Window window = window_of_area(place, frame_above("a", 4200.0, 5000.0), size).value();
   EXPECT_EQ(window.column, 0);
   EXPECT_GT(window.width, 10);
-  EXPECT_FALSE(window_of_area(patch, frame_above("b", 4600.0, 5000.0), size));
+  EXPECT_FALSE(window_of_area(place, frame_above("b", 4600.0, 5000.0), size));
 }
 
 TEST(BestImages, AreThoseThatShowTheAreaTheBaseFirst) {
-  io::PatchFile patch = patch_of_area();
-  patch.images = {frame_above("far", 7000.0, 5000.0), frame_above("mate", 4130.0, 5020.0),
-                  frame_above("base", 4030.0, 5030.0)};
-  const std::vector<io::PatchImage> best = best_images(patch);
+  const std::vector<io::PatchImage> images{frame_above("far", 7000.0, 5000.0),
+                                           frame_above("mate", 4130.0, 5020.0),
+                                           frame_above("base", 4030.0, 5030.0)};
+  const std::vector<io::PatchImage> best =
+      best_images(images, io::kDefaultMaxViews, searched_place());
   ASSERT_EQ(best.size(), 2U);
   EXPECT_EQ(best[0].id, "base");
   EXPECT_EQ(best[1].id, "mate");
 }
 
-TEST(ImagesWithoutFile, AreNamedIfTheyShowTheArea) {
-  io::PatchFile patch = patch_of_area();
-  patch.without_file = {frame_above("far", 7000.0, 5000.0), frame_above("lost", 4130.0, 5020.0)};
-  const std::vector<io::PatchImage> lost = images_without_file(patch);
+TEST(ImagesThatShow, AreThoseThatShowTheArea) {
+  const std::vector<io::PatchImage> lost = images_that_show(
+      searched_place(), {frame_above("far", 7000.0, 5000.0), frame_above("lost", 4130.0, 5020.0)});
   ASSERT_EQ(lost.size(), 1U);
   EXPECT_EQ(lost[0].id, "lost");
 }

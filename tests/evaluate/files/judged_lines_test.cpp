@@ -15,8 +15,8 @@ io::PatchImage image_at(const std::string& id, double x_m, double y_m) {
 }
 
 /// Two images along x, one across.
-io::PatchFile patch_of_three() {
-  io::PatchFile patch;
+io::Patch patch_of_three() {
+  io::Patch patch;
   patch.images = {image_at("a", 0, 0), image_at("b", 200, 0), image_at("c", 0, 200)};
   patch.height_range_m = {0, 20};
   return patch;
@@ -24,7 +24,7 @@ io::PatchFile patch_of_three() {
 
 /// A line with what these images show of it.
 io::LineSet lines_seen_by(const Segment3& line, const std::vector<std::string>& ids) {
-  const io::PatchFile patch = patch_of_three();
+  const io::Patch patch = patch_of_three();
   io::LineSet set;
   set.lines.emplace_back();
   set.lines[0].segment_in_world = line;
@@ -44,7 +44,7 @@ ProjectionMatrix evidence_beside_the_first(const io::LineSet& set) {
 }
 
 TEST(JudgedLines, EvidenceIsOfTheImageThatTellsBestWhereTheLineLies) {
-  const io::PatchFile patch = patch_of_three();
+  const io::Patch patch = patch_of_three();
   const std::vector<std::string> all{"a", "b", "c"};
   EXPECT_EQ(evidence_beside_the_first(lines_seen_by(kAlongX, all)),
             patch.images[2].image_from_world);

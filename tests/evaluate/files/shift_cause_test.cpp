@@ -62,9 +62,9 @@ TEST(LikelyCause, NamesTheGridThatWouldTell) {
 
 /// Two vertical cameras, whose pixels are `gsd_m` on the ground. Columns run east, rows south; the
 /// second camera is turned by 180 degrees if `turned`.
-std::optional<io::PatchFile> vertical_pair(double gsd_m, bool turned) {
+std::optional<io::Patch> vertical_pair(double gsd_m, bool turned) {
   constexpr double kFocalLength_px = 10000.0;
-  io::PatchFile patch;
+  io::Patch patch;
   for (const bool is_second : {false, true}) {
     const double sign = is_second && turned ? -1.0 : 1.0;
     ProjectionMatrix camera;

@@ -294,7 +294,7 @@ TEST_F(PatchOfOrientation, MayHaveImagesInOnePlaceIfTheAreaChooses) {
     (void)folder_.write(std::string("frames/") + name, "x");
   EXPECT_THAT(refusal_of("  frames\n"), HasSubstr("have the same position"));
   const PatchFile patch = read("  frames\n", "area: [513100, 5403000, 513200, 5403100]\n");
-  EXPECT_TRUE(patch.chooses_images);
+  EXPECT_EQ(patch.max_views, kDefaultMaxViews);
   EXPECT_THAT(patch.images, SizeIs(3));
 }
 

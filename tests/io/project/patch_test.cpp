@@ -58,7 +58,7 @@ TEST(ReadPatch, ResolvesPathsAgainstTheFile) {
   const PatchFile patch = read_patch(folder.write("patch.yaml", kPatch));
   EXPECT_EQ(patch.id, "1");
   EXPECT_EQ(patch.crs.definition, "EPSG:25832+7837");
-  EXPECT_THAT(patch.height_range_m, ElementsAre(250.0, 300.0));
+  EXPECT_THAT(patch.height_range_m.value(), ElementsAre(250.0, 300.0));
   ASSERT_EQ(patch.images.size(), 2U);
   EXPECT_EQ(patch.images[0].id, "left");
   EXPECT_EQ(patch.images[0].path, folder.file("images/left.tif"));
@@ -216,8 +216,8 @@ TEST(ReadPatch, NamesFilesOfSegmentsByImage) {
       patch_with("lidar:", "segments: {right: lsd/right.csv}\nsegment_sigma_px: 0.5\nlidar:")));
   EXPECT_EQ(patch.images[0].segments, std::nullopt);
   EXPECT_EQ(patch.images[1].segments, folder.file("lsd/right.csv"));
-  EXPECT_EQ(patch.segment_sigma_px, 0.5);
-  EXPECT_EQ(read_patch(folder.write("patch.yaml", kPatch)).segment_sigma_px,
+  EXPECT_EQ(patch.images[1].segment_sigma_px, 0.5);
+  EXPECT_EQ(read_patch(folder.write("patch.yaml", kPatch)).images[1].segment_sigma_px,
             kDefaultSegmentSigma_px);
 }
 
@@ -242,10 +242,10 @@ TEST(ReadPatch, AreaIsTheBoundsOrTheHullOfAFileAndHeightsMayBeOpen) {
   const TempFolder folder;
   const PatchFile bounds = read_patch(
       folder.write("patch.yaml", patch_with("[250, 300]", "auto\narea: [10, 20, 30, 50]")));
-  EXPECT_EQ(bounds.heights, HeightSource::kLidar);
+  EXPECT_EQ(bounds.height_range_m, std::nullopt);
   const std::vector<Eigen::Vector2d> corners{{10, 20}, {30, 20}, {30, 50}, {10, 50}};
   EXPECT_EQ(bounds.area_m, corners);
-  EXPECT_FALSE(bounds.chooses_images);
+  EXPECT_EQ(bounds.max_views, std::nullopt);
   const std::string square =
       R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,4],[0,0]]]}})";
   const std::string utm32 =

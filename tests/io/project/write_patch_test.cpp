@@ -35,7 +35,7 @@ TEST(WritePatch, IsReadBackWithoutLoss) {
   const std::string path = folder.file("patch.yaml");
   PatchFile written = sample_patch();
   written.images[1].segments = "lsd.right.csv";
-  written.segment_sigma_px = 0.25;
+  written.images[1].segment_sigma_px = 0.25;
   write_patch(path, written);
   const PatchFile read = read_patch(path);
   EXPECT_EQ(read.id, written.id);
@@ -50,7 +50,7 @@ TEST(WritePatch, IsReadBackWithoutLoss) {
   EXPECT_THAT(read.lidar, ::testing::SizeIs(1));
   EXPECT_EQ(read.images[0].segments, std::nullopt);
   EXPECT_EQ(read.images[1].segments, folder.file("lsd.right.csv"));
-  EXPECT_EQ(read.segment_sigma_px, 0.25);
+  EXPECT_EQ(read.images[1].segment_sigma_px, 0.25);
   EXPECT_EQ(read.reference_matches, folder.file("matches.csv"));
   EXPECT_EQ(read.reference_tracks, folder.file("tracks.csv"));
   EXPECT_EQ(read.reference_lines, folder.file("truth.geojson"));
@@ -61,8 +61,9 @@ TEST(WritePatch, NamesAnOrientationInPlaceOfMatricesAndTheArea) {
   PatchFile patch = sample_patch();
   patch.lidar.clear();
   patch.reference_matches = patch.reference_tracks = patch.reference_lines = std::nullopt;
+  patch.area_m = {
+      {513002.0, 5403002.5}, {513118.0, 5403002.5}, {513118.0, 5403118.0}, {513002.0, 5403118.0}};
   PatchKeys keys;
-  keys.area_m = {513002.0, 5403002.5, 513118.0, 5403118.0};
   keys.orientation = "pat_b.ori";
   keys.cameras = "cameras.yaml";
   keys.matrix = "world_from_camera";
@@ -106,6 +107,16 @@ TEST(WritePatch, StatesCamerasWithDistortionAndWindows) {
   }
   EXPECT_EQ(read.images[0].window->width, 640);
   EXPECT_FALSE(read.images[1].window);
+}
+
+TEST(WritePatch, RefusesWhatAPatchFileCannotState) {
+  const TempFolder folder;
+  PatchFile patch = sample_patch();
+  patch.area_m = {{0.0, 0.0}, {4.0, 0.0}, {2.0, 3.0}};
+  EXPECT_THROW(write_patch(folder.file("patch.yaml"), patch), std::invalid_argument);
+  patch.area_m.clear();
+  patch.height_range_m.reset();
+  EXPECT_THROW(write_patch(folder.file("patch.yaml"), patch), std::invalid_argument);
 }
 
 TEST(WritePatch, RefusesACameraWithoutItsPose) {
