@@ -17,7 +17,7 @@ LineSupport published_support(const TrackedLines& lines,
                               const ReconstructOptions& options) {
   LineSupport support;
   support.track = line;
-  support.points = best_of_regions(candidate_points(lines, line, neighbours, options), options);
+  support.points = best_of_regions(candidate_points(lines, line, neighbours), options);
   return support;
 }
 

@@ -21,9 +21,9 @@ struct PairMeasures {
 /// The smallest one of all images for each measure ("minimum" in Ok et al. 2011).
 PairMeasures smallest_of_each(std::span<const PairMeasures> images);
 
-/// W = t exp(-d / (2 sigma_1) - d_e / (2 sigma_2)), t = 0 for angles up to min_pair_angle_deg, else
-/// 1 (Ok et al. 2011, Eq. 6, rearranged). In [0, 1].
-double point_weight(const PairMeasures& measures, const ReconstructOptions& options);
+/// W = t exp(-d / (2 sigma_1) - d_e / (2 sigma_2)), t = 0 for angles up to 10 degrees, else 1 (Ok
+/// et al. 2011, Eq. 6, rearranged). In [0, 1].
+double point_weight(const PairMeasures& measures);
 
 /// The third of the base segment that a point falls into; the outer ones are unbounded.
 enum class Region : std::uint8_t { kLeft, kCentre, kRight };

@@ -19,7 +19,6 @@ struct MatchExtensionOptions {
   /// Mates of unmatched segments are looked for where the surfaces beside the segments predict
   /// them. See guided_matches().
   bool guided = true;
-  double guided_min_similarity = 0.8;
   /// Lines matched by height must look more alike than other lines of `chio` (its min_similarity).
   /// On the training villages 4 of 19 lines below this value were false, and none of the 6 from
   /// this value on.
@@ -49,8 +48,6 @@ struct MatchExtensionOptions {
               "select among candidates by the depth of the adjacent surfaces (dense matching)"},
         Field{"guided", &O::guided, false, true,
               "search unmatched lines in the other image where these surfaces predict them"},
-        Field{"guided_min_similarity", &O::guided_min_similarity, 0.0, 1.0,
-              "guided: minimum similarity"},
         Field{"propagate_min_similarity", &O::propagate_min_similarity, 0.0, 1.0,
               "propagate_heights: minimum similarity"}};
   }
@@ -60,10 +57,7 @@ struct MatchExtensionOptions {
 struct ChioExtensionOptions {
   bool allow_noise = true;
   bool by_look = true;
-  double edge_sigma_px = 0.25;  ///< sigma of a single edge pixel across its edge
   double min_similarity = 0.3;
-  /// Largest ratio of the similarities of the next candidate and the best one.
-  double max_similarity_ratio = 0.8;
 
   static constexpr ChioExtensionOptions none() { return {.allow_noise = false, .by_look = false}; }
 
@@ -74,12 +68,8 @@ struct ChioExtensionOptions {
               "widen limits by noise and compare heights where lines meet; off: as published"},
         Field{"by_look", &O::by_look, false, true,
               "rank candidates by appearance; off: by their reliable pieces, as published"},
-        Field{"edge_sigma_px", &O::edge_sigma_px, 1e-3, 10.0,
-              "allow_noise: noise of an edge pixel across its edge"},
         Field{"min_similarity", &O::min_similarity, 0.0, 1.0,
-              "by_look: minimum similarity of a match"},
-        Field{"max_similarity_ratio", &O::max_similarity_ratio, 0.0, 1.0,
-              "by_look: maximum ratio of the similarities of the second-best and best candidates"}};
+              "by_look: minimum similarity of a match"}};
   }
 };
 

@@ -31,7 +31,6 @@ std::optional<FittedLine> fit_line(std::span<const Eigen::Vector3d> points, doub
 std::optional<FittedLine> line_through_links(int left_id,
                                              std::span<const int> right_ids,
                                              const SearchedPair& pair,
-                                             double gsd_m,
-                                             const ChioOptions& options);
+                                             double gsd_m);
 
 }  // namespace ridgeline::reconstruct

@@ -101,7 +101,7 @@ LineSupport support_of(const TrackEvidence& evidence,
     if (i < evidence.points.size()) continue;
     const std::size_t end = i - evidence.points.size();
     support.ends.push_back(evidence.ends[end]);
-    support.sigma_ends_px = options.consensus.sigma_end_px;
+    support.sigma_ends_px = kSigmaOfEnds_px;
     support.ends_in_images.push_back(evidence.track.ends(evidence.which_ends[end]));
   }
   const bool is_cut = part.from || part.to;

@@ -12,6 +12,9 @@
 
 namespace ridgeline::reconstruct {
 
+/// Sigma along the line of segment ends that show the same point (calibration.md).
+inline constexpr double kSigmaOfEnds_px = 1.0;
+
 /// An aligned track in the frames of the estimation. Base and other segment determine its depth. It
 /// borrows what it is made of.
 struct AlignedTrack {

@@ -92,7 +92,7 @@ std::vector<Meeting> meetings_of(const TrackedLines& lines,
   for (const auto& [i, k] : pairs) {
     const auto a = static_cast<std::size_t>(i);
     const auto b = static_cast<std::size_t>(k);
-    if (!(pair_weight(lines, lines.lines[a], k, options) > options.min_weight)) continue;
+    if (!(pair_weight(lines, lines.lines[a], k) > options.min_weight)) continue;
     const auto first = closest_part(members, a, lines.lines[b]);
     const auto second = closest_part(members, b, lines.lines[a]);
     if (!first || !second) continue;

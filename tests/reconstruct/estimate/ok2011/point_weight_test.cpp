@@ -17,7 +17,7 @@ constexpr double kTol = 1e-12;
 const ReconstructOptions kDefaults;
 
 double weight(double distance_px, double epipolar_distance_px, double angle_deg = 45.0) {
-  return point_weight({distance_px, epipolar_distance_px, angle_deg * kDegree}, kDefaults);
+  return point_weight({distance_px, epipolar_distance_px, angle_deg * kDegree});
 }
 
 TEST(PointWeight, IsEquation6) {
@@ -32,7 +32,7 @@ TEST(PointWeight, IsZeroForANarrowIntersection) {
   EXPECT_EQ(weight(0, 0, 5.0), 0.0);
   EXPECT_EQ(weight(0, 0, 10.0 - 1e-9), 0.0);
   EXPECT_GT(weight(0, 0, 10.0 + 1e-9), 0.0);
-  EXPECT_EQ(point_weight({0, 0, std::nan("")}, kDefaults), 0.0);
+  EXPECT_EQ(point_weight({0, 0, std::nan("")}), 0.0);
 }
 
 TEST(SmallerOfEach, TakesEachMeasureFromTheImageWhereItIsSmaller) {
