@@ -22,6 +22,8 @@
 namespace ridgeline::evaluate {
 namespace {
 
+constexpr double kMinLength_m = 0.3;  ///< of a line that is judged (calibration.md)
+
 template <typename... Parts>
 std::string text(const Parts&... parts) {
   std::ostringstream stream;
@@ -223,9 +225,9 @@ std::optional<Refusal> refusal_of(const JudgedLine& line, const JudgeOptions& op
   if (length(plan(line.segment)) < kNearVertical * length_m) {
     return Refusal{Status::kDegenerate, "the line is vertical and has no direction in plan"};
   }
-  if (length_m < options.min_length_m) {
+  if (length_m < kMinLength_m) {
     return Refusal{Status::kTooShort,
-                   text("length ", length_m, " m, must be at least ", options.min_length_m, " m")};
+                   text("length ", length_m, " m, must be at least ", kMinLength_m, " m")};
   }
   return std::nullopt;
 }

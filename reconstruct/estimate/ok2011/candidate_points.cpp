@@ -94,13 +94,10 @@ bool plausible(const TrackedLines& lines, const ObservedTrack& line, const Eigen
 
 std::vector<CandidatePoint> candidate_points(const TrackedLines& lines,
                                              const ObservedTrack& line,
-                                             std::span<const int> neighbours,
-                                             const ReconstructOptions& options) {
+                                             std::span<const int> neighbours) {
   std::vector<CandidatePoint> points;
   for (const int neighbour : neighbours) {
-    if (const auto point = candidate_point(lines, line, neighbour, options)) {
-      points.push_back(*point);
-    }
+    if (const auto point = candidate_point(lines, line, neighbour)) points.push_back(*point);
   }
   return points;
 }

@@ -30,13 +30,11 @@ struct ReconstructOptions {
   LineCovariance line_covariance = LineCovariance::kEq1;
 
   double max_aligned_angle_deg = kMaxAlignedAngle_deg;  ///< largest angle of an `aligned` line
-  double min_weight = 0.01;  ///< T_w: points up to this weight are discarded
 
   static constexpr auto fields() {
     using O = ReconstructOptions;
     return std::tuple{Field{"max_aligned_angle_deg", &O::max_aligned_angle_deg, 0.0, 90.0,
-                            "maximum angle of class aligned to the epipolar line"},
-                      Field{"min_weight", &O::min_weight, 0.0, 1.0, "minimum weight of a point"}};
+                            "maximum angle of class aligned to the epipolar line"}};
   }
 };
 

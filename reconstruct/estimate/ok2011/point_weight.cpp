@@ -44,11 +44,10 @@ Region region(double parameter) {
   return parameter > 2.0 / 3.0 ? Region::kRight : Region::kCentre;
 }
 
-std::vector<std::size_t> select_points(std::span<const RankedPoint> points,
-                                       const ReconstructOptions& options) {
+std::vector<std::size_t> select_points(std::span<const RankedPoint> points) {
   std::array<std::optional<std::size_t>, kNumRegions> best;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!(points[i].weight > options.min_weight)) continue;
+    if (!(points[i].weight > kMinWeight)) continue;
     std::optional<std::size_t>& champion =
         best.at(static_cast<std::size_t>(region(points[i].parameter)));
     if (!champion || better(points[i], points[*champion])) champion = i;

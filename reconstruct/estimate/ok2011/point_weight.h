@@ -21,6 +21,9 @@ struct PairMeasures {
 /// The smallest one of all images for each measure ("minimum" in Ok et al. 2011).
 PairMeasures smallest_of_each(std::span<const PairMeasures> images);
 
+/// T_w of Ok et al. 2011, section 3.1: points up to this weight are discarded.
+inline constexpr double kMinWeight = 0.01;
+
 /// W = t exp(-d / (2 sigma_1) - d_e / (2 sigma_2)), t = 0 for angles up to 10 degrees, else 1 (Ok
 /// et al. 2011, Eq. 6, rearranged). In [0, 1].
 double point_weight(const PairMeasures& measures);
@@ -42,8 +45,7 @@ struct RankedPoint {
 
 /// Indices of the points to use, the one of highest weight in each region (Ok et al. 2011, Fig. 6),
 /// in order of the regions; ties go to the smaller omega, then to the smaller neighbour. Points of
-/// weight up to options.min_weight are not used.
-std::vector<std::size_t> select_points(std::span<const RankedPoint> points,
-                                       const ReconstructOptions& options);
+/// weight up to kMinWeight are not used.
+std::vector<std::size_t> select_points(std::span<const RankedPoint> points);
 
 }  // namespace ridgeline::reconstruct

@@ -102,12 +102,10 @@ std::optional<UncertainPoint3> point_in_object(const AlignedTrack& track,
   return estimated->point;
 }
 
-TrackEvidence evidence_of(const AlignedTrack& track,
-                          std::span<const int> neighbours,
-                          const EstimationOptions& options) {
+TrackEvidence evidence_of(const AlignedTrack& track, std::span<const int> neighbours) {
   TrackEvidence evidence{track, {}, {}, {}, {}};
   for (const CandidatePoint& c : candidate_points(track.lines, track.line, neighbours)) {
-    if (!(c.ranked.weight > options.lines.min_weight)) continue;
+    if (!(c.ranked.weight > kMinWeight)) continue;
     evidence.points.push_back(c);
     DepthEvidence e =
         evidence_of(c.estimated.point, c.ranked.parameter, kMaxPointPrior * c.ranked.weight);

@@ -42,9 +42,7 @@ struct TrackEvidence {
   std::vector<DepthEvidence> on_depth;  ///< the evidence of the points, then that of the ends
 };
 
-TrackEvidence evidence_of(const AlignedTrack& track,
-                          std::span<const int> neighbours,
-                          const EstimationOptions& options);
+TrackEvidence evidence_of(const AlignedTrack& track, std::span<const int> neighbours);
 
 /// The point in object space that both views show, by its place on the segment of each. The result
 /// is empty if there is no such point in front of the cameras and within the range of heights.
