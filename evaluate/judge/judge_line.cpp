@@ -22,7 +22,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kMinLength_m = 0.3;  ///< of a line that is judged (calibration.md)
+constexpr double kMinLength_m = 0.3;  ///< shorter lines are `too_short` (calibration.md)
 
 template <typename... Parts>
 std::string text(const Parts&... parts) {

@@ -63,7 +63,7 @@ struct EstimateExtensionOptions {
 /// How lines of buildings meet and lie, for depth_consensus and network.
 struct BuildingOptions {
   double sigma_meeting_m = 0.1;  ///< sigma of the distance of lines that meet
-  double max_miss_m = 2.5;       ///< of lines that only seem to meet; no option
+  double max_miss_m = 2.5;       ///< of lines that only seem to meet; only a test of units sets it
   double sigma_slope = 0.01;     ///< sigma of the slope of lines that are built horizontal
 
   static constexpr auto fields() {

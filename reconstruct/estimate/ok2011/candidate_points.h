@@ -2,7 +2,6 @@
 #pragma once
 
 #include "reconstruct/estimate/ok2011/artificial_point.h"
-#include "reconstruct/estimate/ok2011/options.h"
 #include "reconstruct/estimate/ok2011/point_weight.h"
 #include "reconstruct/estimate/tracked_lines.h"
 

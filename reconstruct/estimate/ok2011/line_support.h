@@ -3,7 +3,6 @@
 
 #include "reconstruct/estimate/ok2011/adjust_line.h"
 #include "reconstruct/estimate/ok2011/candidate_points.h"
-#include "reconstruct/estimate/ok2011/options.h"
 
 #include <array>
 #include <optional>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/estimate/ok2011/options.h"
-
 #include <array>
 #include <cstdint>
 #include <span>

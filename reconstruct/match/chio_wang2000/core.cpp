@@ -21,7 +21,7 @@ constexpr int kMinLinkPieces = 5;
 constexpr double kMaxLinkRateDifference = 0.2;
 
 constexpr double kSigmas = 3.0;  // multiple of the sigma of rates that is allowed for as noise
-constexpr int kMaxCandidatesOfAnyLook = 100;  // in place of kMaxCandidates, of the most alike
+constexpr int kMaxCandidatesOfAnyLook = 100;  // where the look does not decide
 
 /// One left segment on its way through the screening.
 struct Screened {

@@ -4,7 +4,6 @@
 #include "reconstruct/geometry/epipolar_transfer.h"
 #include "reconstruct/geometry/uncertain/uncertain_segment.h"
 #include "reconstruct/match/chio_wang2000/edge_points.h"
-#include "reconstruct/match/chio_wang2000/options.h"
 
 #include <Eigen/Core>
 

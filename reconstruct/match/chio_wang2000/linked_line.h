@@ -3,7 +3,6 @@
 
 #include "reconstruct/geometry/epipolar_transfer.h"
 #include "reconstruct/geometry/uncertain/pluecker.h"
-#include "reconstruct/match/chio_wang2000/options.h"
 #include "reconstruct/scene/scene.h"
 
 #include <optional>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "reconstruct/geometry/segment.h"
-#include "reconstruct/match/chio_wang2000/options.h"
 
 #include <Eigen/Core>
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "reconstruct/estimate/beyond/depth_consensus/depth_evidence.h"
-#include "reconstruct/estimate/beyond/options.h"
 #include "reconstruct/estimate/ok2011/candidate_points.h"
 
 #include <array>
