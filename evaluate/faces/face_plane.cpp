@@ -146,7 +146,7 @@ double untruncated_sigma_m(double truncated_m, double limit_m) {
 }
 
 bool are_nearly_one(const Plane3& a, const Plane3& b) {
-  return a.normal().dot(b.normal()) > std::cos(kMinRidgeAngle_deg * kRadPerDeg);
+  return a.normal().dot(b.normal()) > std::cos(kMinAngleOfRidge_deg * kRadPerDeg);
 }
 
 }  // namespace ridgeline::evaluate

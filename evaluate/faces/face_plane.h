@@ -26,7 +26,7 @@ std::optional<PlaneFit> find_face_plane(std::span<const FacePoint> points,
 /// The plane fitted anew without the points that may belong to a neighbour as well: those that lie
 /// on its plane, too, no farther than kFaceReach_m from it. Where a face reaches over the
 /// ridge, the points behind it would tilt its plane. Planes that are nearly one
-/// (kMinRidgeAngle_deg) share their points.
+/// (kMinAngleOfRidge_deg) share their points.
 /// @return `fit` itself if too few points remain
 PlaneFit refit_face_plane(std::span<const FacePoint> points,
                           const PlaneFit& fit,

@@ -208,7 +208,7 @@ JudgedResult ended(LineEvaluation e, Status status, std::string reason) {
 
 }  // namespace
 
-std::optional<Refusal> refusal_of(const JudgedLine& line, const JudgeOptions& options) {
+std::optional<Refusal> refusal_of(const JudgedLine& line) {
   constexpr double kNearVertical = 0.05;  // plan length / length; below it no direction is known
   if (!line.reconstructed) {
     return Refusal{Status::kNotReconstructed, "the file has no geometry for it"};
@@ -236,7 +236,7 @@ JudgedResult judge_line(const PointSearch& search,
                         const JudgedLine& line,
                         const JudgeOptions& options) {
   LineEvaluation e = undecided(line);
-  if (const auto refusal = refusal_of(line, options)) {
+  if (const auto refusal = refusal_of(line)) {
     return ended(std::move(e), refusal->status, refusal->reason);
   }
   LineSurroundings around = surroundings(search, line, options);

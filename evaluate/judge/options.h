@@ -13,7 +13,7 @@ namespace ridgeline::evaluate {
 enum class SampleConsensus : std::uint8_t { kMsac, kRansac, kProsac };
 
 /// A ridge needs normals that differ by at least this (calibration.md, thresholds of the judge).
-inline constexpr double kMinRidgeAngle_deg = 10.0;
+inline constexpr double kMinAngleOfRidge_deg = 10.0;
 
 /// How lines are judged, see judge_line(). Lengths in metres of the local frame.
 struct JudgeOptions {

@@ -256,7 +256,7 @@ class Hypotheses {
     for (std::size_t a = 0; a < candidates_.size(); ++a) {
       for (std::size_t b = a + 1; b < candidates_.size(); ++b) {
         const double angle = angle_between_rad(candidates_[a].fit, candidates_[b].fit);
-        if (angle < kMinRidgeAngle_deg * kRadPerDeg) continue;
+        if (angle < kMinAngleOfRidge_deg * kRadPerDeg) continue;
         const auto meeting = meeting_of(candidates_[a], candidates_[b], footprint_, options_);
         if (!meeting || meeting->offset_m > kMaxRidgeOffset_m ||
             meeting->direction_rad > kMaxRidgeDirection_deg * kRadPerDeg ||
@@ -311,7 +311,7 @@ class Hypotheses {
     h.plan[kMeetingOffset] = meeting.offset_m;
     h.plan[kMeetingDirection] = meeting.direction_rad;
     h.plan[kMeetingMissing] = 1.0 - meeting.coverage;
-    h.plan[kMeetingFlat] = kMinRidgeAngle_deg * kRadPerDeg / angle_rad;
+    h.plan[kMeetingFlat] = kMinAngleOfRidge_deg * kRadPerDeg / angle_rad;
     const PlacedPlane middle{a, {}, 0.0, h.heights_m.mean()};
     h.plan[kCovered] = covered_share(middle, placed_, stretches_);
     add_points(candidates_[a].fit.plane, false, h);
