@@ -104,8 +104,7 @@ MatchList combined(const std::vector<EdgeSegment>& left,
 /// The connections of tracks that two views of a pair show beside each other.
 std::vector<PairConnection> connections_of(const Scene& scene,
                                            std::span<const Track> tracks,
-                                           std::span<const UsedPair> pairs,
-                                           const MatchOptions& options) {
+                                           std::span<const UsedPair> pairs) {
   std::vector<PairConnection> all;
   for (const UsedPair& pair : pairs) {
     std::vector<Correspondence> matches;
@@ -120,8 +119,7 @@ std::vector<PairConnection> connections_of(const Scene& scene,
       matches.push_back({base->segment, search->segment});
       track_of_match.push_back(static_cast<int>(t));
     }
-    for (const PairConnection& c :
-         connect_matches(stereo_pair(scene, pair.views), matches, options)) {
+    for (const PairConnection& c : connect_matches(stereo_pair(scene, pair.views), matches)) {
       all.push_back({track_of_match[static_cast<std::size_t>(c.i)],
                      track_of_match[static_cast<std::size_t>(c.k)]});
     }
@@ -134,10 +132,9 @@ void guide(const StereoPair& pair, const Options& options, PairMatches& matches)
   const MatchExtensionOptions& beyond = options.matching.beyond;
   if (!beyond.guided || !matches.surface) return;
   MatchList& list = matches.lists.back();
-  GuidedMatches found = guided_matches(
-      pair, *matches.surface, list.matches,
-      {options.extraction.edges, options.matching.candidates, beyond.guided_min_similarity},
-      match_extensions(beyond, options.matching.candidates).look);
+  GuidedMatches found = guided_matches(pair, *matches.surface, list.matches,
+                                       {options.extraction.edges, options.matching.candidates},
+                                       match_extensions(beyond, options.matching.candidates).look);
   list.reasons.resize(pair.views[0]->segments.size() + found.mates[0].size());
   add_found(kGuided, found.matches, list);
   matches.guided = std::move(found.mates);
@@ -165,8 +162,7 @@ std::vector<ReconstructedLine> lines_of_edges(const Scene& scene,
   const auto cameras = transformed(scene.views, &View::image_from_local);
   const auto segments = transformed(
       scene.views, [](const View& view) { return transformed(view.segments, &EdgeSegment::line); });
-  const std::vector<PairConnection> connections =
-      connections_of(scene, tracks, pairs, options.matching.pairwise);
+  const std::vector<PairConnection> connections = connections_of(scene, tracks, pairs);
   TrackedSegments tracked{.cameras = cameras,
                           .segments = segments,
                           .tracks = tracks,

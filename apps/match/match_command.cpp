@@ -13,6 +13,7 @@
 #include "io/images/png_writer.h"
 #include "io/project/matches_file.h"
 #include "io/project/segments_file.h"
+#include "reconstruct/match/chio_wang2000/four_processes.h"
 
 #include <algorithm>
 #include <array>
@@ -52,8 +53,7 @@ void print_summary(std::span<const reconstruct::View> views,
 
 /// Prints the numbers of lines as Chio and Wang 2000 count them: by the first two processes, by the
 /// third and fourth, and with the relaxed limit.
-void print_processes(const reconstruct::ChioResult& result,
-                     const reconstruct::ChioOptions& options) {
+void print_processes(const reconstruct::ChioResult& result) {
   const auto count = [&](auto holds) {
     return std::count_if(result.lines.begin(), result.lines.end(),
                          [&](const reconstruct::ChioLine& line) { return holds(line.acquired); });
@@ -63,7 +63,7 @@ void print_processes(const reconstruct::ChioResult& result,
   say("  1 and 2              {}\n", count([](const Acquired& a) { return a.process <= 2; }));
   say("  then 3 and 4         {}\n",
       count([](const Acquired& a) { return a.process > 2 && !a.relaxed; }));
-  say("  relaxed to {:<5} m   {}\n", options.relaxed_height_difference_m,
+  say("  relaxed to {:<5} m   {}\n", reconstruct::kRelaxedHeightDifference_m,
       count([](const Acquired& a) { return a.relaxed; }));
 }
 
@@ -116,7 +116,7 @@ int run_match(MatchArguments a) {
     io::write_png(a.overlay, match_overlay(views[0], views[1], result.used().matches));
   }
   print_summary(views, result);
-  if (result.chio) print_processes(*result.chio, a.options.matching.chio);
+  if (result.chio) print_processes(*result.chio);
   return kDone;
 }
 

@@ -57,6 +57,8 @@ Reflectance reflectance(Material material) {
   return {0, 0.0};
 }
 
+constexpr double kFoliagePassShare = 0.6;  ///< share of the pulses that go on behind a leaf
+
 const AlsOptions& checked(const AlsOptions& o) {
   const auto in = [](const char* name, double value, double low, double high) {
     check(value >= low && value <= high, name, " = ", value, ", must be in [", low, ", ", high,
@@ -70,7 +72,6 @@ const AlsOptions& checked(const AlsOptions& o) {
   in("cross_sigma_m", o.cross_sigma_m, 0.0, 10.0);
   in("footprint_m", o.footprint_m, 0.0, 10.0);
   in("strip_offset_sigma_m", o.strip_offset_sigma_m, 0.0, 10.0);
-  in("foliage_pass_share", o.foliage_pass_share, 0.0, 1.0);
   in("max_returns", o.max_returns, 1, 15);
   in("outlier_share", o.outlier_share, 0.0, 1.0);
   in("withheld_share", o.withheld_share, 0.0, 1.0);
@@ -173,7 +174,7 @@ class AlsScanner::Impl {
       const Material material =
           scene_.mesh.triangles[static_cast<std::size_t>(hit->triangle)].material;
       returns.push_back({skipped_m + hit->distance_m, material});
-      if (material != Material::kFoliage || !random.chance(options_.foliage_pass_share)) break;
+      if (material != Material::kFoliage || !random.chance(kFoliagePassShare)) break;
       from_m = hit->distance_m + kDeadTimeM;
     }
     return returns;

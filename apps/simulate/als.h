@@ -25,7 +25,6 @@ struct AlsOptions {
                                  ///< noise normal to any surface has this standard deviation too
   double footprint_m = 0.0;  ///< diameter of the beam at the ground; the hit lies anywhere in it
   double strip_offset_sigma_m = 0.0;  ///< systematic shift of each strip, per axis
-  double foliage_pass_share = 0.6;    ///< share of the pulses that go on behind a leaf
   int max_returns = 5;                ///< returns per pulse, 1 to 15
   double outlier_share = 2e-4;        ///< share of the pulses: birds and multipath, class 7
   double withheld_share = 0.0;        ///< share of the returns with the flag withheld

@@ -55,7 +55,7 @@ io::LineSet seen_in_block(const Scene& scene,
     std::vector<double> shares(views.size(), 0.0);
     for (std::size_t view = 0; view < views.size(); ++view) {
       if (!may_show(views[view], segment)) continue;
-      shares[view] = total_length(visible_runs(oracle, view, segment, {}));
+      shares[view] = total_length(visible_runs(oracle, view, segment));
     }
     set_seen(views, std::move(shares), truth.lines[i]);
   });

@@ -10,10 +10,9 @@
 namespace ridgeline::simulate {
 namespace {
 
-ShownEdge with_clear_runs(const ShownEdge& edge, const VisibilityOptions& options) {
+ShownEdge with_clear_runs(const ShownEdge& edge) {
   ShownEdge clear{edge.kind, edge.rank, {}};
-  std::ranges::copy_if(edge.runs, std::back_inserter(clear.runs),
-                       [&](const VisibleRun& s) { return is_clear(s, options); });
+  std::ranges::copy_if(edge.runs, std::back_inserter(clear.runs), is_clear);
   return clear;
 }
 
@@ -24,11 +23,10 @@ bool is_in_two_views(const ShownEdge& edge) {
 
 }  // namespace
 
-std::vector<ShownEdge> edge_tracks(std::span<const ShownEdge> edges,
-                                   const VisibilityOptions& options) {
+std::vector<ShownEdge> edge_tracks(std::span<const ShownEdge> edges) {
   std::vector<ShownEdge> candidates;
   for (const ShownEdge& edge : edges) {
-    ShownEdge clear = with_clear_runs(edge, options);
+    ShownEdge clear = with_clear_runs(edge);
     if (is_in_two_views(clear)) candidates.push_back(std::move(clear));
   }
   return without_duplicates(std::move(candidates));

@@ -41,12 +41,11 @@ std::vector<std::pair<VisibleRun, VisibleRun>> paired(const std::vector<VisibleR
 
 }  // namespace
 
-std::vector<ReferenceEdge> reference_matches(std::span<const ShownEdge> edges,
-                                             const VisibilityOptions& options) {
+std::vector<ReferenceEdge> reference_matches(std::span<const ShownEdge> edges) {
   std::vector<ShownEdge> candidates;
   for (const ShownEdge& edge : edges) {
     for (const auto& [left, right] : paired(edge.in_view(0), edge.in_view(1))) {
-      if (!is_clear(left, options) || !is_clear(right, options)) continue;
+      if (!is_clear(left) || !is_clear(right)) continue;
       candidates.push_back({edge.kind, edge.rank, {left, right}});
     }
   }

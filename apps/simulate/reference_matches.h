@@ -12,7 +12,6 @@ namespace ridgeline::simulate {
 /// The edges that both of the first two views show clearly, without duplicates, ordered from left
 /// to right by their first point. Their contrast must have been measured. An edge that is
 /// interrupted gives one match for each run that both see.
-std::vector<ReferenceEdge> reference_matches(std::span<const ShownEdge> edges,
-                                             const VisibilityOptions& options = {});
+std::vector<ReferenceEdge> reference_matches(std::span<const ShownEdge> edges);
 
 }  // namespace ridgeline::simulate

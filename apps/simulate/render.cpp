@@ -19,6 +19,8 @@ namespace {
 constexpr double kShadowOffsetM = 2e-3;   // offset of shadow rays; Embree's float is good to 0.1 mm
 constexpr double kLeafClearanceM = 0.05;  // a leaf does not shadow itself
 
+constexpr double kPointSpreadSigma_px = 0.55;  // of lens and detector together, Gaussian
+
 double top_z_m(const Mesh& mesh) {
   double top = 0.0;
   for (const Eigen::Vector3d& x : mesh.vertices) top = std::max(top, x.z());
@@ -49,7 +51,7 @@ Renderer::Renderer(const Scene& scene, const RenderOptions& options)
       top_z_m_(top_z_m(scene.mesh)) {}
 
 Spectrum Renderer::sky_light(const SurfacePoint& point) const {
-  const auto level = static_cast<float>(options_.sky_share * to_sun_.z());
+  const auto level = static_cast<float>(kSkyShare * to_sun_.z());
   return level * (0.55F + 0.45F * point.normal.z()) * sky_colour() * point.reflectance;
 }
 
@@ -257,7 +259,7 @@ cv::Mat Renderer::radiance(const AerialView& view, int first_row, int end_row) c
   constexpr int kRowsPerBlock = 32;
   check(0 <= first_row && first_row < end_row && end_row <= view.size_px.y(), "rows ", first_row,
         " to ", end_row, ", must be rows of the view");
-  const PointSpread spread(options_.psf_sigma_px);
+  const PointSpread spread(kPointSpreadSigma_px);
   const int rows = end_row - first_row;
   cv::Mat result(rows, view.size_px.x(), CV_32FC4);
   const int blocks = (rows + kRowsPerBlock - 1) / kRowsPerBlock;

@@ -15,15 +15,17 @@
 
 namespace ridgeline::simulate {
 
-/// Light and optics of a rendered view.
+/// Light of the sky on level ground over that of the sun.
+inline constexpr double kSkyShare = 0.22;
+
+/// Light and rays of a rendered view.
 struct RenderOptions {
   double sun_azimuth_deg = 200.0;  ///< clockwise from grid north (+y)
   double sun_elevation_deg = 45.0;
-  double sky_share = 0.22;     ///< light of the sky on level ground over that of the sun
-  double backscatter = 0.25;   ///< rough surfaces are this much brighter along the sun's rays
-  double texture = 1.0;        ///< contrast of the textures; 0: flat colours
-  double psf_sigma_px = 0.55;  ///< Gaussian point spread of lens and detector together
-  int samples_per_side = 3;    ///< a pixel has the square of it as rays
+  int samples_per_side = 3;  ///< a pixel has the square of it as rays
+  // Not options; tests change them.
+  double backscatter = 0.25;  ///< rough surfaces are this much brighter along the sun's rays
+  double texture = 1.0;       ///< contrast of the textures; 0: flat colours
   std::uint64_t seed = 1;
 
   static constexpr auto fields() {
@@ -31,11 +33,6 @@ struct RenderOptions {
     return std::tuple{
         Field{"sun_azimuth_deg", &O::sun_azimuth_deg, -360.0, 360.0, "clockwise from north"},
         Field{"sun_elevation_deg", &O::sun_elevation_deg, 5.0, 90.0, "above the horizon"},
-        Field{"sky_share", &O::sky_share, 0.0, 2.0, "of the sky's light to the sun's"},
-        Field{"backscatter", &O::backscatter, 0.0, 1.0,
-              "gain of rough surfaces against the sun's rays"},
-        Field{"texture", &O::texture, 0.0, 2.0, "contrast of the textures; 0: flat colours"},
-        Field{"psf_sigma_px", &O::psf_sigma_px, 0.3, 0.8, "of lens and detector together"},
         Field{"samples_per_side", &O::samples_per_side, 1, 8, "rays per pixel: the square of it"}};
   }
 };

@@ -13,29 +13,23 @@ namespace ridgeline::simulate {
 
 /// What a digital frame camera and its processing make of the light.
 struct SensorOptions {
-  std::string bands = "rgb";     ///< rgb, cir (near infrared, red, green) or rgbn
-  int bits = 8;                  ///< 8 or 16
+  std::string bands = "rgb";  ///< rgb, cir (near infrared, red, green) or rgbn
+  int bits = 8;               ///< 8 or 16
+  double blur_px = 0.0;       ///< sigma of a Gaussian blur of the light, in addition to the optics
+  bool bayer = false;         ///< each pixel sees one colour; the other two are interpolated
+  int jpeg_quality = 0;       ///< 1 to 100; 0: no compression
+  std::uint64_t seed = 1;
+  // Not options; tests change them.
   double white_radiance = 0.45;  ///< radiance that becomes the largest number
   double gamma = 1.5;            ///< numbers grow with the radiance to the power of 1 / gamma
   double full_well_electrons = 12000.0;  ///< electrons at white, which set the shot noise
   double read_noise_electrons = 30.0;
   double radiometric_sigma = 0.05;  ///< spread of gain and gamma between views; a fifth for offsets
-  double blur_px = 0.0;  ///< sigma of a Gaussian blur of the light, in addition to the optics
-  bool bayer = false;    ///< each pixel sees one colour; the other two are interpolated
-  int jpeg_quality = 0;  ///< 1 to 100; 0: no compression
-  std::uint64_t seed = 1;
 
   static constexpr auto fields() {
     using O = SensorOptions;
     return std::tuple{
         Field{"bits", &O::bits, 8, 16, "of the numbers: 8 or 16"},
-        Field{"white_radiance", &O::white_radiance, 0.05, 5.0, "becomes the largest number"},
-        Field{"gamma", &O::gamma, 1.0, 3.0, "of the tone curve"},
-        Field{"full_well_electrons", &O::full_well_electrons, 100.0, 1e9,
-              "at white; decides the shot noise"},
-        Field{"read_noise_electrons", &O::read_noise_electrons, 0.0, 1e4, "standard deviation"},
-        Field{"radiometric_sigma", &O::radiometric_sigma, 0.0, 0.3,
-              "of gain and gamma of each view and band"},
         Field{"blur_px", &O::blur_px, 0.0, 20.0,
               "sigma of a Gaussian blur of the image before its noise arises; 0: none"},
         Field{"jpeg_quality", &O::jpeg_quality, 0, 100,

@@ -14,11 +14,11 @@
 namespace ridgeline::simulate {
 namespace {
 
-std::vector<VisibleRun> runs(const SurfaceOracle& oracle,
-                             std::size_t view,
-                             const Segment3& edge,
-                             const VisibilityOptions& options) {
-  const std::vector<PlanInterval> runs = visible_runs(oracle, view, edge, options);
+/// Least mean difference of the sides of a clear edge, share of the image's range.
+constexpr double kMinContrast = 0.03;
+
+std::vector<VisibleRun> runs(const SurfaceOracle& oracle, std::size_t view, const Segment3& edge) {
+  const std::vector<PlanInterval> runs = visible_runs(oracle, view, edge);
   const double visible_share = total_length(runs);
   std::vector<VisibleRun> result;
   result.reserve(runs.size());
@@ -65,9 +65,7 @@ std::vector<VisibleRun> ShownEdge::in_view(std::size_t view) const {
   return result;
 }
 
-std::vector<ShownEdge> shown_edges(const Scene& scene,
-                                   const SurfaceOracle& oracle,
-                                   const VisibilityOptions& options) {
+std::vector<ShownEdge> shown_edges(const Scene& scene, const SurfaceOracle& oracle) {
   const std::vector<PhysicalEdge> edges = physical_edges(scene);
   std::vector<ShownEdge> result(edges.size());
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
@@ -75,8 +73,7 @@ std::vector<ShownEdge> shown_edges(const Scene& scene,
     shown.kind = edges[i].kind;
     shown.rank = edges[i].rank;
     for (std::size_t view = 0; view < oracle.num_views(); ++view) {
-      std::ranges::move(runs(oracle, view, edges[i].segment, options),
-                        std::back_inserter(shown.runs));
+      std::ranges::move(runs(oracle, view, edges[i].segment), std::back_inserter(shown.runs));
     }
   });
   return result;
@@ -90,8 +87,8 @@ void measure_contrast(std::size_t view, const ImageWindow& village, std::span<Sh
   });
 }
 
-bool is_clear(const VisibleRun& run, const VisibilityOptions& options) {
-  return length(run.segment_px) >= options.shortest_px && run.contrast >= options.least_contrast;
+bool is_clear(const VisibleRun& run) {
+  return length(run.segment_px) >= kMinShownLength_px && run.contrast >= kMinContrast;
 }
 
 std::vector<ShownEdge> without_duplicates(std::vector<ShownEdge> edges) {

@@ -31,16 +31,14 @@ struct ShownEdge {
 
 /// All physical edges of a scene with all that the views see of them by the surfaces alone,
 /// whatever its contrast.
-std::vector<ShownEdge> shown_edges(const Scene& scene,
-                                   const SurfaceOracle& oracle,
-                                   const VisibilityOptions& options = {});
+std::vector<ShownEdge> shown_edges(const Scene& scene, const SurfaceOracle& oracle);
 
 /// Measures the contrast of all runs in a view. `village`: what its image shows of the
 /// village.
 void measure_contrast(std::size_t view, const ImageWindow& village, std::span<ShownEdge> edges);
 
 /// Whether a run is long enough and has enough contrast.
-bool is_clear(const VisibleRun& run, const VisibilityOptions& options);
+bool is_clear(const VisibleRun& run);
 
 /// The edges without those that coincide in all their runs, within a pixel, with an edge of
 /// lower rank or a longer one of equal rank. Ordered by the first view that shows them and there

@@ -22,6 +22,8 @@ namespace {
 constexpr double kHalfRowM = kHalfStreetM + kLotSizeM;
 
 /// Streams of random numbers: what one lot bears does not depend on its neighbours.
+constexpr double kParkingShare = 0.5;  ///< of parking among the lots without a house
+
 enum VillageStream : std::uint64_t { kTerrainStream, kLotStream, kClutterStream };
 
 void check_share(const char* name, double value) {
@@ -37,7 +39,6 @@ void check_options(const VillageOptions& o) {
         "origin_m = ", o.origin_m.transpose(), ", must be integers");
   check_share("aligned_share", o.aligned_share);
   check_share("built_share", o.built_share);
-  check_share("parking_share", o.parking_share);
   check_share("fence_share", o.fence_share);
   check(o.terrain_slope_deg >= 0.0 && o.terrain_slope_deg <= 15.0,
         "terrain_slope_deg = ", o.terrain_slope_deg, ", must be in [0, 15]");
@@ -121,7 +122,7 @@ class VillageBuilder {
                         (centre.array() <= scene_.extent_m.array() - kHouseRadiusM).all();
     const std::size_t first_building = scene_.buildings.size();
     const bool built = random.chance(options_.built_share);
-    if (!built && random.chance(options_.parking_share)) {
+    if (!built && random.chance(kParkingShare)) {
       terrain_.add_parking(row, low_uv, high_uv);
       add_cars(row, low_uv, random);
       return;

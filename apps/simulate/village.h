@@ -24,7 +24,6 @@ struct VillageOptions {
   double street_azimuth_deg = 25.0;                      ///< angle of the streets to the x axis
   double aligned_share = 0.4;      ///< share of houses with a main ridge exactly parallel to x
   double built_share = 0.85;       ///< share of lots with a house; the others: parking, gardens
-  double parking_share = 0.5;      ///< share of parking among the lots without a house
   double terrain_slope_deg = 2.0;  ///< at most 15; the seed gives the direction
   double terrace_step_m = 0.0;     ///< height of a retaining wall between two rows
   double min_pitch_deg = 15.0;     ///< lowest pitch of a pitched roof, at least 10

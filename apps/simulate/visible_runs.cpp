@@ -6,6 +6,10 @@
 namespace ridgeline::simulate {
 namespace {
 
+constexpr double kSightStep_m = 0.1;  ///< distance of the lines of sight along an edge
+constexpr double kMaxGap_m = 0.5;     ///< shorter interruptions are closed
+constexpr double kFlank_px = 1.0;     ///< distance from an edge at which its sides are looked at
+
 /// Whether a view sees a point of an edge: nothing hides it and its two sides show different
 /// surfaces.
 bool is_seen(const SurfaceOracle& oracle,
@@ -44,12 +48,11 @@ Segment2 image_of(const SurfaceOracle& oracle,
 
 std::vector<PlanInterval> visible_runs(const SurfaceOracle& oracle,
                                        std::size_t view,
-                                       const Segment3& edge,
-                                       const VisibilityOptions& options) {
+                                       const Segment3& edge) {
   const Segment2 image = image_of(oracle, view, edge, {});
-  if (length(image) < options.shortest_px) return {};
-  const Eigen::Vector2d side_px = options.flank_px * normal(image);
-  const int samples = 1 + static_cast<int>(length(edge) / options.step_m);
+  if (length(image) < kMinShownLength_px) return {};
+  const Eigen::Vector2d side_px = kFlank_px * normal(image);
+  const int samples = 1 + static_cast<int>(length(edge) / kSightStep_m);
   std::vector<PlanInterval> runs;
   for (int i = 0; i < samples; ++i) {
     const PlanInterval step{static_cast<double>(i) / samples, static_cast<double>(i + 1) / samples};
@@ -61,7 +64,7 @@ std::vector<PlanInterval> visible_runs(const SurfaceOracle& oracle,
       runs.push_back(step);
     }
   }
-  return closed(runs, options.longest_gap_m / length(edge));
+  return closed(runs, kMaxGap_m / length(edge));
 }
 
 double total_length(const std::vector<PlanInterval>& runs) {
@@ -70,14 +73,11 @@ double total_length(const std::vector<PlanInterval>& runs) {
   return sum;
 }
 
-std::vector<std::vector<double>> visible_shares(const Scene& scene,
-                                                const SurfaceOracle& oracle,
-                                                const VisibilityOptions& options) {
+std::vector<std::vector<double>> visible_shares(const Scene& scene, const SurfaceOracle& oracle) {
   std::vector<std::vector<double>> shares(scene.lines.size());
   tbb::parallel_for(std::size_t{0}, shares.size(), [&](std::size_t i) {
     for (std::size_t view = 0; view < oracle.num_views(); ++view) {
-      shares[i].push_back(
-          total_length(visible_runs(oracle, view, scene.lines[i].segment, options)));
+      shares[i].push_back(total_length(visible_runs(oracle, view, scene.lines[i].segment)));
     }
   });
   return shares;

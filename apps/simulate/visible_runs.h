@@ -8,14 +8,8 @@
 
 namespace ridgeline::simulate {
 
-/// Which edges the truth of the images holds.
-struct VisibilityOptions {
-  double step_m = 0.1;           ///< distance of the lines of sight along an edge
-  double longest_gap_m = 0.5;    ///< shorter interruptions are closed
-  double shortest_px = 10.0;     ///< least length of the visible part in each image
-  double flank_px = 1.0;         ///< distance from an edge at which its sides are looked at
-  double least_contrast = 0.03;  ///< mean difference of the sides, share of the image's range
-};
+/// Least length of the visible part of an edge of the truth in each image.
+inline constexpr double kMinShownLength_px = 10.0;
 
 /// Image of a part of an edge.
 Segment2 image_of(const SurfaceOracle& oracle,
@@ -27,16 +21,13 @@ Segment2 image_of(const SurfaceOracle& oracle,
 /// and the surfaces on its two sides are not the same.
 std::vector<PlanInterval> visible_runs(const SurfaceOracle& oracle,
                                        std::size_t view,
-                                       const Segment3& edge,
-                                       const VisibilityOptions& options);
+                                       const Segment3& edge);
 
 /// The share of an edge that its runs are.
 double total_length(const std::vector<PlanInterval>& runs);
 
 /// How much of each true line each view sees: shares of its length by line, in order of
 /// Scene::lines, and view.
-std::vector<std::vector<double>> visible_shares(const Scene& scene,
-                                                const SurfaceOracle& oracle,
-                                                const VisibilityOptions& options = {});
+std::vector<std::vector<double>> visible_shares(const Scene& scene, const SurfaceOracle& oracle);
 
 }  // namespace ridgeline::simulate

@@ -97,7 +97,7 @@ bool may_be_on(const NeighbourFace& other,
                const FacePoint& point,
                const JudgeOptions& options) {
   return other.fit && is_on(other.fit->plane, point, options) &&
-         !are_nearly_one(fit.plane, other.fit->plane, options) &&
+         !are_nearly_one(fit.plane, other.fit->plane) &&
          other.face->plan.distance_m(point.point.x.head<2>()) <= kFaceReach_m;
 }
 
@@ -145,8 +145,8 @@ double untruncated_sigma_m(double truncated_m, double limit_m) {
   return truncated_m / variance_cut_off_at(low);
 }
 
-bool are_nearly_one(const Plane3& a, const Plane3& b, const JudgeOptions& options) {
-  return a.normal().dot(b.normal()) > std::cos(options.ridge_angle_deg * kRadPerDeg);
+bool are_nearly_one(const Plane3& a, const Plane3& b) {
+  return a.normal().dot(b.normal()) > std::cos(kMinAngleOfRidge_deg * kRadPerDeg);
 }
 
 }  // namespace ridgeline::evaluate

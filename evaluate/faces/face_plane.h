@@ -26,7 +26,7 @@ std::optional<PlaneFit> find_face_plane(std::span<const FacePoint> points,
 /// The plane fitted anew without the points that may belong to a neighbour as well: those that lie
 /// on its plane, too, no farther than kFaceReach_m from it. Where a face reaches over the
 /// ridge, the points behind it would tilt its plane. Planes that are nearly one
-/// (JudgeOptions::ridge_angle_deg) share their points.
+/// (kMinAngleOfRidge_deg) share their points.
 /// @return `fit` itself if too few points remain
 PlaneFit refit_face_plane(std::span<const FacePoint> points,
                           const PlaneFit& fit,
@@ -50,6 +50,6 @@ bool is_well_inside(const FacePoint& point);
 bool is_on(const Plane3& plane, const FacePoint& point, const JudgeOptions& options);
 
 /// Whether two planes are nearly one, so that points do not tell them apart.
-bool are_nearly_one(const Plane3& a, const Plane3& b, const JudgeOptions& options);
+bool are_nearly_one(const Plane3& a, const Plane3& b);
 
 }  // namespace ridgeline::evaluate

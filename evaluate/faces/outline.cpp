@@ -31,7 +31,7 @@ PlacedPoint placed(const FacePoint& point,
     if (!is_on(other.fit->plane, point, options)) continue;
     result.explained = true;
     if (result.place == PointPlace::kAbove) result.place = PointPlace::kElsewhere;
-    const bool one_plane = are_nearly_one(fit.plane, other.fit->plane, options);
+    const bool one_plane = are_nearly_one(fit.plane, other.fit->plane);
     const bool one_above_the_other = !on_face && over_other && point.beyond_m < 0.0;
     if ((on_face && one_plane) || one_above_the_other) {
       result.place = PointPlace::kUnknown;

@@ -31,15 +31,14 @@ class Surroundings {
  public:
   explicit Surroundings(const evaluate::JudgeOptions& options)
       // the radius reaches the corners of the zone that a line's planes are fitted in
-      : options_(options),
-        radius_m_(std::numbers::sqrt2 *
+      : radius_m_(std::numbers::sqrt2 *
                   std::max(options.fit_half_width_m,
                            options.corridor_half_width_m + options.corridor_end_m)) {}
 
   /// A line that cannot be judged needs no points, and memory for none.
   void add(const JudgedLine& line) {
     constexpr double kSweep_m = 1.0;
-    if (evaluate::refusal_of(line, options_)) return;
+    if (evaluate::refusal_of(line)) return;
     if (line.images) {
       for (const Segment2& seen : evaluate::plan_sweep(*line.images, kSweep_m)) {
         footprints_.push_back(seen);
@@ -62,7 +61,6 @@ class Surroundings {
   }
 
  private:
-  const evaluate::JudgeOptions& options_;
   double radius_m_;
   double reach_m_ = 0.0;  ///< an edge seen in an image may lie between two segments of its sweep
   std::vector<Segment2> footprints_;
@@ -275,7 +273,7 @@ JudgedBatches judge_in_batches(io::CloudFiles& cloud,
   };
   JudgedBatches judged = judge_once(decoys);
   const bool needs_points = std::ranges::any_of(batches.first, [&](const LineRef& ref) {
-    return !evaluate::refusal_of(all[ref.set][ref.line], options);
+    return !evaluate::refusal_of(all[ref.set][ref.line]);
   });
   if (!all_lines || !all_lie_elsewhere(judged) || !needs_points || cloud.unread_paths().empty())
     return judged;

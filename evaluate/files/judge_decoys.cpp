@@ -17,9 +17,8 @@ DecoySets decoys_of(const LineSets& lines, const JudgeFilesOptions& options) {
   if (options.n_decoys != std::size_t{0}) {
     for (const std::vector<evaluate::JudgedLine>& set : lines) {
       const std::size_t n = options.n_decoys.value_or(evaluate::default_n_decoys(set.size()));
-      decoys.push_back(evaluate::make_decoys(set, n, options.judge));
-      std::ranges::move(evaluate::move_elsewhere(set, options.judge),
-                        std::back_inserter(decoys.back()));
+      decoys.push_back(evaluate::make_decoys(set, n));
+      std::ranges::move(evaluate::move_elsewhere(set), std::back_inserter(decoys.back()));
     }
   }
   return decoys;

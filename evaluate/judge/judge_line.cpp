@@ -22,6 +22,8 @@
 namespace ridgeline::evaluate {
 namespace {
 
+constexpr double kMinLength_m = 0.3;  ///< shorter lines are `too_short` (calibration.md)
+
 template <typename... Parts>
 std::string text(const Parts&... parts) {
   std::ostringstream stream;
@@ -206,7 +208,7 @@ JudgedResult ended(LineEvaluation e, Status status, std::string reason) {
 
 }  // namespace
 
-std::optional<Refusal> refusal_of(const JudgedLine& line, const JudgeOptions& options) {
+std::optional<Refusal> refusal_of(const JudgedLine& line) {
   constexpr double kNearVertical = 0.05;  // plan length / length; below it no direction is known
   if (!line.reconstructed) {
     return Refusal{Status::kNotReconstructed, "the file has no geometry for it"};
@@ -223,9 +225,9 @@ std::optional<Refusal> refusal_of(const JudgedLine& line, const JudgeOptions& op
   if (length(plan(line.segment)) < kNearVertical * length_m) {
     return Refusal{Status::kDegenerate, "the line is vertical and has no direction in plan"};
   }
-  if (length_m < options.min_length_m) {
+  if (length_m < kMinLength_m) {
     return Refusal{Status::kTooShort,
-                   text("length ", length_m, " m, must be at least ", options.min_length_m, " m")};
+                   text("length ", length_m, " m, must be at least ", kMinLength_m, " m")};
   }
   return std::nullopt;
 }
@@ -234,7 +236,7 @@ JudgedResult judge_line(const PointSearch& search,
                         const JudgedLine& line,
                         const JudgeOptions& options) {
   LineEvaluation e = undecided(line);
-  if (const auto refusal = refusal_of(line, options)) {
+  if (const auto refusal = refusal_of(line)) {
     return ended(std::move(e), refusal->status, refusal->reason);
   }
   LineSurroundings around = surroundings(search, line, options);

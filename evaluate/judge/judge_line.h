@@ -33,7 +33,7 @@ struct Refusal {
   std::string reason;
 };
 /// The refusal of a line; nothing if it can be judged.
-std::optional<Refusal> refusal_of(const JudgedLine& line, const JudgeOptions& options);
+std::optional<Refusal> refusal_of(const JudgedLine& line);
 
 /// The method (Ok et al. 2011, section 4) for one line:
 /// the points of a planimetric corridor -> planes by sample consensus on each side, refined over

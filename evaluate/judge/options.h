@@ -12,6 +12,9 @@ namespace ridgeline::evaluate {
 /// MLESAC finds the wrong plane in two of three patches, so they are not offered.
 enum class SampleConsensus : std::uint8_t { kMsac, kRansac, kProsac };
 
+/// A ridge needs normals that differ by at least this (calibration.md, thresholds of the judge).
+inline constexpr double kMinAngleOfRidge_deg = 10.0;
+
 /// How lines are judged, see judge_line(). Lengths in metres of the local frame.
 struct JudgeOptions {
   SampleConsensus method = SampleConsensus::kMsac;
@@ -32,19 +35,12 @@ struct JudgeOptions {
   /// a smaller sigma.
   double fit_half_width_m = 4.0;
   double max_slope_deg = 65.0;  ///< steeper planes are walls, or wall and ground together
-  /// A ridge needs normals that differ by at least this.
-  double ridge_angle_deg = 10.0;
-  /// Largest distance in plan, at both ends, between a line and the planes' intersection line.
-  double ridge_offset_m = 1.0;
-  /// Largest angle in plan between a line and the planes' intersection line.
-  double ridge_direction_deg = 15.0;
-  double min_coverage = 0.5;  ///< of the line by the plane's inliers beside it
+  double min_coverage = 0.5;    ///< of the line by the plane's inliers beside it
   /// Distance of a right line from its surface, whatever its tool states: the covariance in a
   /// judged file must not choose the surface.
   double place_sigma_m = 0.3;
   double sigma_edge_px = 1.0;    ///< of an image segment with its orientation
   double min_probability = 0.9;  ///< of the surface; below, the line is ambiguous
-  double min_length_m = 0.3;     ///< shorter lines are `too_short`
   int max_iterations = 1000;     ///< of the sample consensus
   bool keep_points = false;      ///< whether to fill JudgedResult::inliers and inlier_points
 
@@ -64,12 +60,6 @@ struct JudgeOptions {
         Field{"fit_half_width_m", &O::fit_half_width_m, 0.1, 100.0,
               "maximum distance from the line of connected inliers in the plane fit"},
         Field{"max_slope_deg", &O::max_slope_deg, 0.0, 90.0, "steeper planes are walls, not roofs"},
-        Field{"ridge_angle_deg", &O::ridge_angle_deg, 0.0, 90.0,
-              "minimum angle between the planes of a ridge"},
-        Field{"ridge_offset_m", &O::ridge_offset_m, 0.0, 100.0,
-              "maximum distance in plan of a line from the intersection of the planes"},
-        Field{"ridge_direction_deg", &O::ridge_direction_deg, 0.0, 90.0,
-              "maximum angle in plan between a line and the intersection of the planes"},
         Field{"min_coverage", &O::min_coverage, 0.0, 1.0,
               "minimum share of the line covered by its plane"},
         Field{"place_sigma_m", &O::place_sigma_m, 0.001, 100.0,
@@ -78,8 +68,6 @@ struct JudgeOptions {
               "sigma of an image segment, including orientation"},
         Field{"min_probability", &O::min_probability, 0.5, 1.0,
               "minimum probability of the surface; below, the line is ambiguous"},
-        Field{"min_length_m", &O::min_length_m, 0.0, 1000.0,
-              "minimum length; shorter lines are too_short"},
         Field{"max_iterations", &O::max_iterations, 1, 1000000,
               "maximum number of iterations of the sample consensus"}};
   }

@@ -15,6 +15,11 @@ constexpr double kHigher_m =
     0.3;  // a surface that is less higher is the same one, or hides nothing
 constexpr double kStorey_m = 2.0;
 
+// Between a line and the intersection line of the planes of a ridge, in plan: the largest distance,
+// at both ends, and the largest angle (calibration.md, thresholds of the judge).
+constexpr double kMaxRidgeOffset_m = 1.0;
+constexpr double kMaxRidgeDirection_deg = 15.0;
+
 /// How far a plane's points reach across a line, in stretches along it: -HUGE_VAL, HUGE_VAL where
 /// there are none.
 struct Reach {
@@ -251,10 +256,10 @@ class Hypotheses {
     for (std::size_t a = 0; a < candidates_.size(); ++a) {
       for (std::size_t b = a + 1; b < candidates_.size(); ++b) {
         const double angle = angle_between_rad(candidates_[a].fit, candidates_[b].fit);
-        if (angle < options_.ridge_angle_deg * kRadPerDeg) continue;
+        if (angle < kMinAngleOfRidge_deg * kRadPerDeg) continue;
         const auto meeting = meeting_of(candidates_[a], candidates_[b], footprint_, options_);
-        if (!meeting || meeting->offset_m > options_.ridge_offset_m ||
-            meeting->direction_rad > options_.ridge_direction_deg * kRadPerDeg ||
+        if (!meeting || meeting->offset_m > kMaxRidgeOffset_m ||
+            meeting->direction_rad > kMaxRidgeDirection_deg * kRadPerDeg ||
             meeting->coverage < options_.min_coverage) {
           continue;
         }
@@ -306,7 +311,7 @@ class Hypotheses {
     h.plan[kMeetingOffset] = meeting.offset_m;
     h.plan[kMeetingDirection] = meeting.direction_rad;
     h.plan[kMeetingMissing] = 1.0 - meeting.coverage;
-    h.plan[kMeetingFlat] = options_.ridge_angle_deg * kRadPerDeg / angle_rad;
+    h.plan[kMeetingFlat] = kMinAngleOfRidge_deg * kRadPerDeg / angle_rad;
     const PlacedPlane middle{a, {}, 0.0, h.heights_m.mean()};
     h.plan[kCovered] = covered_share(middle, placed_, stretches_);
     add_points(candidates_[a].fit.plane, false, h);

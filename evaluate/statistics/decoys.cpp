@@ -109,12 +109,10 @@ struct Movable {
 };
 
 /// The first `n` lines that can be judged, in the order of their keys; one of those with one key.
-std::vector<Movable> drawn(std::span<const JudgedLine> lines,
-                           std::size_t n,
-                           const JudgeOptions& options) {
+std::vector<Movable> drawn(std::span<const JudgedLine> lines, std::size_t n) {
   std::vector<Movable> all;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!refusal_of(lines[i], options)) all.push_back({key_of(lines[i].segment), i});
+    if (!refusal_of(lines[i])) all.push_back({key_of(lines[i].segment), i});
   }
   std::ranges::sort(all);
   const auto has_same_key = [](const Movable& a, const Movable& b) { return a.key == b.key; };
@@ -192,12 +190,10 @@ std::size_t default_n_decoys(std::size_t n_lines) {
   return std::clamp(n_lines / 2, std::size_t{200}, std::size_t{2000});
 }
 
-std::vector<Decoy> make_decoys(std::span<const JudgedLine> lines,
-                               std::size_t n_decoys,
-                               const JudgeOptions& options) {
+std::vector<Decoy> make_decoys(std::span<const JudgedLine> lines, std::size_t n_decoys) {
   constexpr std::size_t kStride =
       7;  // has no divisor in common with 16 and 24, the numbers of ways
-  const std::vector<Movable> parents = drawn(lines, n_decoys, options);
+  const std::vector<Movable> parents = drawn(lines, n_decoys);
   std::vector<Decoy> decoys;
   for (std::size_t p = 0; p < parents.size(); ++p) {
     const auto [key, number] = parents[p];
@@ -215,9 +211,9 @@ std::vector<Decoy> make_decoys(std::span<const JudgedLine> lines,
   return decoys;
 }
 
-std::vector<Decoy> move_elsewhere(std::span<const JudgedLine> lines, const JudgeOptions& options) {
+std::vector<Decoy> move_elsewhere(std::span<const JudgedLine> lines) {
   constexpr std::size_t kMoves = 200;
-  const std::vector<Movable> parents = drawn(lines, kMoves, options);
+  const std::vector<Movable> parents = drawn(lines, kMoves);
   Eigen::AlignedBox2d box;
   for (const Movable& parent : parents) {
     box.extend(plan(lines[parent.line].segment).start).extend(plan(lines[parent.line].segment).end);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "evaluate/judge/options.h"
 #include "evaluate/line_evaluation.h"
 
 #include <array>
@@ -61,14 +60,12 @@ std::size_t default_n_decoys(std::size_t n_lines);
 /// and order of the lines play no part. Each line is moved in one of the ways (kind, distance,
 /// sense) that it can be; of fewer lines than decoys in several. A line that has the coordinates of
 /// an earlier one is left out.
-std::vector<Decoy> make_decoys(std::span<const JudgedLine> lines,
-                               std::size_t n_decoys,
-                               const JudgeOptions& options);
+std::vector<Decoy> make_decoys(std::span<const JudgedLine> lines, std::size_t n_decoys);
 
 /// 200 lines moved in plan by one of kElsewhere_m; fewer lines by several of them. They are drawn
 /// as make_decoys() does. A line is moved to one of eight sides where it stays in the rectangle
 /// around all of them: other parts of the cloud need not be read for it. Without such a side it is
 /// not moved.
-std::vector<Decoy> move_elsewhere(std::span<const JudgedLine> lines, const JudgeOptions& options);
+std::vector<Decoy> move_elsewhere(std::span<const JudgedLine> lines);
 
 }  // namespace ridgeline::evaluate

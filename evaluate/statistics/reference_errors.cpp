@@ -20,6 +20,19 @@
 namespace ridgeline::evaluate {
 namespace {
 
+/// A line belongs to the reference line whose image passes this close to both ends of its image
+/// segment, in both images.
+constexpr double kMaxFromReference_px = 2.0;
+/// The covariance of a line is tested only if its reference line passes this close. Farther off it
+/// may be another edge beside the true one.
+constexpr double kMaxTested_px = 1.0;
+constexpr double kGross_m = 1.0;
+/// Largest distance and angle of a line from the reference line that it covers.
+constexpr double kTolerance_m = 0.3;
+constexpr double kMaxFromReference_deg = 5.0;
+constexpr double kMinCoveredShare = 0.5;  ///< of a reference line, to count as reconstructed
+constexpr double kMinVisibleShare = 0.5;  ///< of a reference line in both images, to count
+
 constexpr double kBeyondEnds_px = 5.0;  // an extracted end may run on along a neighbour's edge
 
 /// The larger one of the distances of the segment's ends from the image of the reference line;
@@ -74,11 +87,11 @@ std::vector<ReferenceImage> reference_images(std::span<const JudgedLine> lines,
 std::optional<std::size_t> reference_of(const ImageEvidence& line,
                                         const ReferenceImage& base,
                                         std::span<const ReferenceLine> references,
-                                        const ReferenceOptions& options) {
+                                        double max_distance_px) {
   const Segment2& on_base = line.base().px;
   const ImageObservation& other = line.other();
   std::optional<std::size_t> best;
-  double nearest_px = options.max_distance_px;
+  double nearest_px = max_distance_px;
   for (const std::size_t r : base.by_place.near(on_base, kBeyondEnds_px + nearest_px)) {
     const double on_base_px = distance_in_image(on_base, base.lines_px[r]);
     if (on_base_px > nearest_px) continue;
@@ -90,6 +103,24 @@ std::optional<std::size_t> reference_of(const ImageEvidence& line,
     best = r;
   }
   return best;
+}
+
+/// As reference_of_each(), of the reference lines that pass this close.
+std::vector<std::optional<std::size_t>> references_within(
+    double max_distance_px,
+    std::span<const JudgedLine> lines,
+    std::span<const ReferenceLine> references) {
+  const std::vector<ReferenceImage> images = reference_images(lines, references);
+  std::vector<std::optional<std::size_t>> result(lines.size());
+  tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) {
+    if (!lines[i].images) return;
+    const ImageEvidence& line = *lines[i].images;
+    const auto base = std::find_if(images.begin(), images.end(), [&](const ReferenceImage& image) {
+      return image.image_from_local == line.base().image_from_local;
+    });
+    if (base != images.end()) result[i] = reference_of(line, *base, references, max_distance_px);
+  });
+  return result;
 }
 
 /// Mean distance of the segment from the infinite line. The distance is convex along the segment,
@@ -165,12 +196,9 @@ struct LineError {
 };
 
 std::vector<std::optional<LineError>> line_errors(std::span<const JudgedLine> lines,
-                                                  std::span<const ReferenceLine> references,
-                                                  const ReferenceOptions& options) {
-  const auto assigned = reference_of_each(lines, references, options);
-  ReferenceOptions close = options;
-  close.max_distance_px = options.max_tested_px;
-  const auto tested = reference_of_each(lines, references, close);
+                                                  std::span<const ReferenceLine> references) {
+  const auto assigned = reference_of_each(lines, references);
+  const auto tested = references_within(kMaxTested_px, lines, references);
   std::vector<std::optional<LineError>> errors(lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!assigned[i] || !has_geometry(lines[i])) continue;
@@ -211,8 +239,7 @@ void add_nees(const std::vector<double>& squares, ReferenceErrors& result) {
 
 ReferenceErrors errors_of(std::span<const JudgedLine> lines,
                           std::span<const std::optional<LineError>> errors,
-                          std::string_view line_class,
-                          const ReferenceOptions& options) {
+                          std::string_view line_class) {
   ReferenceErrors result;
   result.line_class = line_class;
   std::vector<double> e;
@@ -224,7 +251,7 @@ ReferenceErrors errors_of(std::span<const JudgedLine> lines,
     ++result.n_lines;
     if (!errors[i]) continue;
     e.push_back(errors[i]->mean_m);
-    if (errors[i]->mean_m > options.gross_m) ++gross;
+    if (errors[i]->mean_m > kGross_m) ++gross;
     if (errors[i]->parts) parts.push_back(*errors[i]->parts);
     if (errors[i]->normalised_square) squares.push_back(*errors[i]->normalised_square);
   }
@@ -243,24 +270,20 @@ ReferenceErrors errors_of(std::span<const JudgedLine> lines,
 
 bool is_reconstructed(const Segment3& reference,
                       std::span<const Segment3> lines,
-                      const BoxIndex3& lines_by_place,
-                      const ReferenceOptions& options) {
+                      const BoxIndex3& lines_by_place) {
   const Eigen::Vector3d direction = reference.end - reference.start;
   std::vector<ParameterInterval> covered;
-  for (const std::size_t i : lines_by_place.near(reference, options.tolerance_m)) {
+  for (const std::size_t i : lines_by_place.near(reference, kTolerance_m)) {
     const Eigen::Vector3d other = lines[i].end - lines[i].start;
-    if (acute_angle_rad(direction, other) > options.max_angle_deg * kRadPerDeg) {
-      continue;
-    }
-    const auto part = part_near(reference, lines[i], options.tolerance_m);
+    if (acute_angle_rad(direction, other) > kMaxFromReference_deg * kRadPerDeg) continue;
+    const auto part = part_near(reference, lines[i], kTolerance_m);
     if (part) covered.push_back(*part);
   }
-  return total_length(join(std::move(covered))) >= options.min_covered;
+  return total_length(join(std::move(covered))) >= kMinCoveredShare;
 }
 
 std::vector<ReferenceCompleteness> completeness_of(std::span<const JudgedLine> lines,
-                                                   std::span<const ReferenceLine> references,
-                                                   const ReferenceOptions& options) {
+                                                   std::span<const ReferenceLine> references) {
   std::vector<Segment3> reconstructed;
   for (const JudgedLine& line : lines) {
     if (has_geometry(line)) reconstructed.push_back(line.segment);
@@ -268,12 +291,12 @@ std::vector<ReferenceCompleteness> completeness_of(std::span<const JudgedLine> l
   const BoxIndex3 by_place(reconstructed);
   std::vector<char> found(references.size(), 0);
   tbb::parallel_for(std::size_t{0}, references.size(), [&](std::size_t r) {
-    found[r] = is_reconstructed(references[r].segment, reconstructed, by_place, options) ? 1 : 0;
+    found[r] = is_reconstructed(references[r].segment, reconstructed, by_place) ? 1 : 0;
   });
   std::map<std::string, ReferenceCompleteness> by_kind;
   ReferenceCompleteness all{"all"};
   for (std::size_t r = 0; r < references.size(); ++r) {
-    if (references[r].visible_share < options.min_visible) continue;
+    if (references[r].visible_share < kMinVisibleShare) continue;
     ReferenceCompleteness& kind = by_kind[references[r].kind];
     for (ReferenceCompleteness* row : {&kind, &all}) {
       ++row->n_lines;
@@ -292,39 +315,26 @@ std::vector<ReferenceCompleteness> completeness_of(std::span<const JudgedLine> l
 
 }  // namespace
 
-std::vector<std::optional<std::size_t>> reference_of_each(std::span<const JudgedLine> lines,
-                                                          std::span<const ReferenceLine> references,
-                                                          const ReferenceOptions& options) {
-  const std::vector<ReferenceImage> images = reference_images(lines, references);
-  std::vector<std::optional<std::size_t>> result(lines.size());
-  tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) {
-    if (!lines[i].images) return;
-    const ImageEvidence& line = *lines[i].images;
-    const auto base = std::find_if(images.begin(), images.end(), [&](const ReferenceImage& image) {
-      return image.image_from_local == line.base().image_from_local;
-    });
-    if (base != images.end()) result[i] = reference_of(line, *base, references, options);
-  });
-  return result;
+std::vector<std::optional<std::size_t>> reference_of_each(
+    std::span<const JudgedLine> lines, std::span<const ReferenceLine> references) {
+  return references_within(kMaxFromReference_px, lines, references);
 }
 
 std::vector<std::optional<double>> reference_errors_m(std::span<const JudgedLine> lines,
-                                                      std::span<const ReferenceLine> references,
-                                                      const ReferenceOptions& options) {
-  return transformed(line_errors(lines, references, options), [&](const auto& error) {
+                                                      std::span<const ReferenceLine> references) {
+  return transformed(line_errors(lines, references), [&](const auto& error) {
     return error ? std::optional(error->mean_m) : std::nullopt;
   });
 }
 
 ReferenceComparison compare_with_references(std::span<const JudgedLine> lines,
-                                            std::span<const ReferenceLine> references,
-                                            const ReferenceOptions& options) {
-  const auto errors = line_errors(lines, references, options);
+                                            std::span<const ReferenceLine> references) {
+  const auto errors = line_errors(lines, references);
   ReferenceComparison comparison;
   for (const std::string_view line_class : {kNotAligned, kAligned, kTotal}) {
-    comparison.classes.push_back(errors_of(lines, errors, line_class, options));
+    comparison.classes.push_back(errors_of(lines, errors, line_class));
   }
-  comparison.completeness = completeness_of(lines, references, options);
+  comparison.completeness = completeness_of(lines, references);
   return comparison;
 }
 

@@ -19,21 +19,6 @@ struct ReferenceLine {
   double visible_share = 1.0;  ///< of its length, in the image that shows less of it
 };
 
-struct ReferenceOptions {
-  /// A line belongs to the reference line whose image passes this close to both ends of its image
-  /// segment, in both images.
-  double max_distance_px = 2.0;
-  /// The covariance of a line is tested only if its reference line passes this close. Farther off
-  /// it may be another edge beside the true one.
-  double max_tested_px = 1.0;
-  double gross_m = 1.0;
-  /// Largest distance and angle of a line from the reference line that it covers.
-  double tolerance_m = 0.3;
-  double max_angle_deg = 5.0;
-  double min_covered = 0.5;  ///< share of a reference line that lines must cover to reconstruct it
-  double min_visible = 0.5;  ///< share that both images must show for a reference line to count
-};
-
 /// True errors of the lines of a class: e = mean distance of a line from the (infinite) reference
 /// line that its image segments lie on. Unlike the distance from LIDAR planes it sees shifts within
 /// a plane, and the reference does not depend on the method that made the line.
@@ -68,17 +53,14 @@ struct ReferenceComparison {
 /// Index of the reference line that each line was made from, by its image segments; empty for a
 /// line without images or on no reference line. If there are several, it is the nearest one in the
 /// images.
-std::vector<std::optional<std::size_t>> reference_of_each(std::span<const JudgedLine> lines,
-                                                          std::span<const ReferenceLine> references,
-                                                          const ReferenceOptions& options = {});
+std::vector<std::optional<std::size_t>> reference_of_each(
+    std::span<const JudgedLine> lines, std::span<const ReferenceLine> references);
 
 /// True error of each line, metres; empty for a line without geometry or on no reference line.
 std::vector<std::optional<double>> reference_errors_m(std::span<const JudgedLine> lines,
-                                                      std::span<const ReferenceLine> references,
-                                                      const ReferenceOptions& options = {});
+                                                      std::span<const ReferenceLine> references);
 
 ReferenceComparison compare_with_references(std::span<const JudgedLine> lines,
-                                            std::span<const ReferenceLine> references,
-                                            const ReferenceOptions& options = {});
+                                            std::span<const ReferenceLine> references);
 
 }  // namespace ridgeline::evaluate

@@ -101,7 +101,7 @@ std::vector<IsoMeasure> measures_of(const std::vector<const LineEvaluation*>& li
   for (const LineEvaluation* line : lines) errors_m.push_back(*line->mean_distance_m);
   std::vector<double> kept_m = errors_m;
   const double limit_m =
-      options.outlier_limit_m.value_or(options.outlier_rms_factor * s.rms_m.value_or(0.0));
+      options.outlier_limit_m.value_or(kOutlierRmsFactor * s.rms_m.value_or(0.0));
   std::erase_if(kept_m, [&](double e) { return e > limit_m; });
   const auto n_gross = static_cast<double>(
       std::ranges::count_if(errors_m, [&](double e) { return e > options.gross_m; }));

@@ -96,8 +96,7 @@ std::optional<double> length_weighted_rms(const EvaluatedSample& sample) {
 void describe_outliers(const std::vector<double>& errors,
                        const SummaryOptions& options,
                        Summary& summary) {
-  const double limit =
-      options.outlier_limit_m.value_or(options.outlier_rms_factor * *summary.rms_m);
+  const double limit = options.outlier_limit_m.value_or(kOutlierRmsFactor * *summary.rms_m);
   std::vector<double> kept = errors;
   std::erase_if(kept, [&](double e) { return e > limit; });
   summary.n_outliers = errors.size() - kept.size();

@@ -20,11 +20,14 @@ inline constexpr std::string_view kNotAligned = "not_aligned";
 inline constexpr std::string_view kAligned = "aligned";
 inline constexpr std::string_view kTotal = "total";
 
+/// A line with e above factor x RMS is an outlier.
+inline constexpr double kOutlierRmsFactor = 3.0;
+
 struct SummaryOptions {
   BootstrapOptions bootstrap;
-  double gross_m = 1.0;             ///< a line farther than this from its planes is a gross error
-  double outlier_rms_factor = 3.0;  ///< a line with e above factor x RMS is an outlier
-  std::optional<double> outlier_limit_m;  ///< limit of e for outliers, in place of factor x RMS
+  double gross_m = 1.0;  ///< a line farther than this from its planes is a gross error
+  std::optional<double>
+      outlier_limit_m;       ///< limit of e for outliers, in place of kOutlierRmsFactor x RMS
   double sigma_sys_m = 0.0;  ///< systematic part of the LIDAR accuracy: datum, strip offset
 };
 

@@ -95,7 +95,7 @@ Json options_json(const SummaryOptions& options) {
           {"interval", options.bootstrap.bca ? "bca" : "percentile"},
           {"level", options.bootstrap.level},
           {"gross_m", options.gross_m},
-          {"outlier_rms_factor", options.outlier_rms_factor},
+          {"outlier_rms_factor", kOutlierRmsFactor},
           {"outlier_limit_m", number_json(options.outlier_limit_m)},
           {"sigma_sys_m", options.sigma_sys_m}};
 }

@@ -196,7 +196,6 @@ SummaryOptions parse_options(const Json& json) {
   options.bootstrap.bca = text(json, "interval") == "bca";
   options.bootstrap.level = number(json, "level");
   options.gross_m = number(json, "gross_m");
-  options.outlier_rms_factor = number(json, "outlier_rms_factor");
   options.outlier_limit_m = number_if_any(json, "outlier_limit_m");
   options.sigma_sys_m = number(json, "sigma_sys_m");
   return options;

@@ -15,6 +15,8 @@ namespace {
 
 /// The range of heights is widened by this, because noise changes a height at its border.
 constexpr double kHeightTolerance_px = 2.0;
+/// Largest distance of near-aligned segments from each other's epipolar band; ours.
+constexpr double kEpipolarTolerance_px = 2.0;
 constexpr double kParallaxStep_px = 1.0;  // step of the search along near-aligned lines
 /// The grid for choosing among many parallaxes, coarser than that of the final comparison.
 constexpr StripGrid kCoarseGrid{1.5, 2.0, 3, 16, 1, false};
@@ -24,6 +26,7 @@ struct CandidateSearch {
   ImagePair images;
   const CandidateOptions& options;
   const CandidateLook& change_look;
+  int max_candidates;
   BoxIndex2 right_index;
 };
 
@@ -49,16 +52,15 @@ std::optional<EpipolarOverlap> best_aligned_overlap(const CandidateSearch& searc
                                                     const LocalTransfer& transfer,
                                                     const EdgeSegment& left,
                                                     const EdgeSegment& right) {
-  const CandidateOptions& options = search.options;
   if (acute_angle_rad(left.line.segment, right.line.segment) >
-      3.0 * options.min_epipolar_angle_deg * kRadPerDeg) {
+      3.0 * kMinEpipolarAngle_deg * kRadPerDeg) {
     return std::nullopt;
   }
   std::optional<EpipolarOverlap> best;
   double best_ncc = 0.0;
   for (const EpipolarOverlap& overlap :
        aligned_overlaps(searched, right.line.segment, search.pair.search.height_range_m,
-                        options.epipolar_tolerance_px, kParallaxStep_px)) {
+                        kEpipolarTolerance_px, kParallaxStep_px)) {
     const double ncc =
         sum_of_ncc(edge_look(search.images, {left, right, overlap}, transfer, kCoarseGrid));
     if (best && ncc <= best_ncc) continue;
@@ -94,7 +96,7 @@ std::optional<Candidate> candidate(const CandidateSearch& search,
   if (transfer.turn_rad(left.line.segment, b) > options.max_turn_deg * kRadPerDeg) {
     return std::nullopt;
   }
-  const bool aligned = is_near_aligned(searched, b, options.min_epipolar_angle_deg * kRadPerDeg);
+  const bool aligned = is_near_aligned(searched, b, kMinEpipolarAngle_deg * kRadPerDeg);
   const std::optional<EpipolarOverlap> overlap =
       aligned ? best_aligned_overlap(search, searched, transfer, left, right)
               : epipolar_overlap(searched, b);
@@ -125,17 +127,15 @@ std::vector<Candidate> candidates_of(const CandidateSearch& search, const EdgeSe
   if (!searched) return candidates;
   const auto& heights_m = search.pair.search.height_range_m;
   const LocalTransfer transfer = local_transfer(search.pair.search, midpoint(left.line.segment));
-  const Eigen::AlignedBox2d box =
-      band_box(*searched, heights_m, search.options.epipolar_tolerance_px);
+  const Eigen::AlignedBox2d box = band_box(*searched, heights_m, kEpipolarTolerance_px);
   for (const std::size_t id : search.right_index.near(box, 0.0)) {
     if (auto found = candidate(search, *searched, transfer, left, static_cast<int>(id))) {
       candidates.push_back(*found);
     }
   }
   std::ranges::stable_sort(candidates, std::greater{}, &Candidate::similarity);
-  if (static_cast<int>(candidates.size()) > search.options.max_candidates) {
-    candidates.resize(search.options.max_candidates);
-  }
+  if (static_cast<int>(candidates.size()) > search.max_candidates)
+    candidates.resize(static_cast<std::size_t>(search.max_candidates));
   return candidates;
 }
 
@@ -144,14 +144,13 @@ std::vector<Candidate> candidates_of(const CandidateSearch& search, const EdgeSe
 Candidates match_candidates(const SearchedPair& pair,
                             const Radiometry& radiometry,
                             const CandidateOptions& options,
-                            const CandidateLook& change_look) {
+                            const CandidateLook& change_look,
+                            int max_candidates) {
   validate(options);
   const CandidateSearch all{
-      pair,
-      {ImageSampler(pair.left.image), ImageSampler(pair.right.image), radiometry},
-      options,
-      change_look,
-      BoxIndex2(ideal_segments(pair.right))};
+      pair,           {ImageSampler(pair.left.image), ImageSampler(pair.right.image), radiometry},
+      options,        change_look,
+      max_candidates, BoxIndex2(ideal_segments(pair.right))};
   const std::vector<EdgeSegment>& left = pair.left.segments;
   Candidates candidates(left.size());
   tbb::parallel_for(std::size_t{0}, left.size(), [&](std::size_t i) {

@@ -11,34 +11,26 @@
 
 namespace ridgeline::reconstruct {
 
+/// A segment closer to the epipolar line than this has no end points transferred by geometry. Ours.
+inline constexpr double kMinEpipolarAngle_deg = 5.0;
+/// Candidates kept per segment: those whose single lines are most similar.
+inline constexpr int kMaxCandidates = 8;
+
 /// Which right segments may be the mate of a left one.
 struct CandidateOptions {
-  /// If a segment is closer than this to the epipolar line, its end points are not transferred by
-  /// geometry.
-  double min_epipolar_angle_deg = 5.0;
   double max_turn_deg = 35.0;   ///< a steep line of a roof turns by up to 20 degrees between views
   double max_slope_deg = 50.0;  ///< largest slope of a roof; a match that implies more is wrong
-  /// Largest distance of near-aligned segments from each other's epipolar band.
-  double epipolar_tolerance_px = 2.0;
-  double min_overlap = 0.3;  ///< least epipolar overlap, share of the shorter segment
-  /// Number of candidates kept per segment: those whose single lines are most similar.
-  int max_candidates = 8;
+  double min_overlap = 0.3;     ///< least epipolar overlap, share of the shorter segment
 
   static constexpr auto fields() {
     using O = CandidateOptions;
     return std::tuple{
-        Field{"min_epipolar_angle_deg", &O::min_epipolar_angle_deg, 0.1, 45.0,
-              "below this angle to the epipolar line, appearance decides on correspondence"},
         Field{"max_turn_deg", &O::max_turn_deg, 0.0, 90.0,
               "maximum difference in direction of two matched segments"},
         Field{"max_slope_deg", &O::max_slope_deg, 0.0, 89.9,
               "maximum slope of a line in object space; 89.9 includes vertical edges of walls"},
-        Field{"epipolar_tolerance_px", &O::epipolar_tolerance_px, 0.0, 100.0,
-              "maximum distance of nearly aligned segments from each other's epipolar band"},
         Field{"min_overlap", &O::min_overlap, 0.0, 1.0,
-              "minimum epipolar overlap of two segments, as a share of the shorter one"},
-        Field{"max_candidates", &O::max_candidates, 1, 100,
-              "maximum number of candidates per segment"}};
+              "minimum epipolar overlap of two segments, as a share of the shorter one"}};
   }
 };
 
@@ -70,6 +62,7 @@ using CandidateLook = std::function<void(const ImagePair& images,
 Candidates match_candidates(const SearchedPair& pair,
                             const Radiometry& radiometry,
                             const CandidateOptions& options,
-                            const CandidateLook& change_look = {});
+                            const CandidateLook& change_look = {},
+                            int max_candidates = kMaxCandidates);
 
 }  // namespace ridgeline::reconstruct

@@ -21,6 +21,9 @@ namespace {
 /// rays do not reach this range.
 constexpr double kMaxDisparities = 4096.0;
 
+/// Border of a tile that is matched too, as the paths of the matching must settle.
+constexpr int kTileMargin_px = 32;
+
 /// Disparities of a tile, [least, least + n).
 struct SearchRange {
   int least = 0, n = 0;
@@ -67,8 +70,7 @@ cv::Mat in_8_bits(const cv::Mat& image, const Radiometry& left_from_image) {
 
 class Matching {
  public:
-  Matching(const StereoPair& pair, const Rectification& r, const SurfaceOptions& options)
-      : pair_(pair), rectification_(r), options_(options) {
+  Matching(const StereoPair& pair, const Rectification& r) : pair_(pair), rectification_(r) {
     const Radiometry radiometry =
         relative_radiometry(extracted(pair.views[0]->segments), extracted(pair.views[1]->segments));
     bytes_ = {in_8_bits(pair.views[0]->image, {}), in_8_bits(pair.views[1]->image, radiometry)};
@@ -77,7 +79,7 @@ class Matching {
   /// Writes the disparities of a tile.
   void match(const cv::Rect& tile, cv::Mat& disparity_px) const {
     const cv::Rect whole(cv::Point(), rectification_.size);
-    const int m = options_.margin_px;
+    const int m = kTileMargin_px;
     const cv::Rect around = (tile + cv::Size(2 * m, 2 * m) - cv::Point(m, m)) & whole;
     const SearchRange range = range_of(rectification_, around, pair_.height_range_in_local_m);
     if (range.n == 0) return;
@@ -124,7 +126,6 @@ class Matching {
 
   const StereoPair& pair_;
   const Rectification& rectification_;
-  const SurfaceOptions& options_;
   std::array<cv::Mat, 2> bytes_;
 };
 
@@ -163,16 +164,16 @@ std::vector<Eigen::Vector3d> points_in_local(const Surface& surface, std::size_t
   return points;
 }
 
-std::optional<Surface> dense_surface(const StereoPair& pair, const SurfaceOptions& options) {
+std::optional<Surface> dense_surface(const StereoPair& pair, int tile_px) {
   const auto r = rectification(pair.cameras(), pair.views[0]->image.size());
   if (!r) return std::nullopt;
   Surface surface{*r,
                   cv::Mat(r->size, CV_32F, cv::Scalar(std::numeric_limits<float>::quiet_NaN()))};
-  const Matching matching(pair, *r, options);
+  const Matching matching(pair, *r);
   std::vector<cv::Rect> tiles;
-  for (int y = 0; y < r->size.height; y += options.tile_px) {
-    for (int x = 0; x < r->size.width; x += options.tile_px) {
-      tiles.push_back(cv::Rect(x, y, options.tile_px, options.tile_px) & cv::Rect({}, r->size));
+  for (int y = 0; y < r->size.height; y += tile_px) {
+    for (int x = 0; x < r->size.width; x += tile_px) {
+      tiles.push_back(cv::Rect(x, y, tile_px, tile_px) & cv::Rect({}, r->size));
     }
   }
   tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t t) {

@@ -14,12 +14,6 @@
 
 namespace ridgeline::reconstruct {
 
-/// Parameters of the dense matching.
-struct SurfaceOptions {
-  int tile_px = 512;   ///< side of a tile
-  int margin_px = 32;  ///< border that is matched too, as the paths of the matching must settle
-};
-
 /// The surfaces that both views of a pair show: the disparity of each pixel of the rectified left
 /// view.
 struct Surface {
@@ -41,10 +35,10 @@ inline const Surface* no_surface(std::size_t /*base*/, std::size_t /*search*/) {
 std::vector<Eigen::Vector3d> points_in_local(
     const Surface& surface, std::size_t most = std::numeric_limits<std::size_t>::max());
 
-/// The surface of a pair by semi-global matching (Hirschmueller 2008) in tiles, hierarchically and
-/// to a part of a pixel, with the check from right to left. Disparities are those of the range of
-/// heights. Nothing for a pair that cannot be rectified. The result is the same for any number of
-/// threads, because the grid of tiles is fixed.
-std::optional<Surface> dense_surface(const StereoPair& pair, const SurfaceOptions& options = {});
+/// The surface of a pair by semi-global matching (Hirschmueller 2008) in square tiles,
+/// hierarchically and to a part of a pixel, with the check from right to left. Disparities are
+/// those of the range of heights. Nothing for a pair that cannot be rectified. The result is the
+/// same for any number of threads, because the grid of tiles is fixed.
+std::optional<Surface> dense_surface(const StereoPair& pair, int tile_px = 512);
 
 }  // namespace ridgeline::reconstruct

@@ -13,8 +13,7 @@ struct TrackOptions {
   /// Sigma of each end of a segment across its line, beside those of the two regression lines:
   /// edges that two views show of one line are not quite the same.
   double sigma_edge_px = 0.3;
-  double seen_share = 0.7;    ///< share of the views that show an edge if it is in their image
-  double look_odds = 20.0;    ///< how much more often matches by their look are true than false
+  // Not options: a test lowers them.
   double min_log_odds = 2.0;  ///< of a track against chance
   double min_margin = 3.0;    ///< log of the odds of its depth against all other depths
 
@@ -24,15 +23,7 @@ struct TrackOptions {
         Field{"all_views", &O::all_views, false, true,
               "use all images of a patch; off: only the first two, as in the papers"},
         Field{"sigma_edge_px", &O::sigma_edge_px, 0.01, 10.0,
-              "sigma of the differences between the edges of one line in several views"},
-        Field{"seen_share", &O::seen_share, 0.01, 0.99,
-              "share of views in which a visible edge is detected"},
-        Field{"look_odds", &O::look_odds, 1.0, 1e6,
-              "odds of a match by appearance; 1: only geometry decides"},
-        Field{"min_log_odds", &O::min_log_odds, -100.0, 100.0,
-              "minimum log odds of a track against chance"},
-        Field{"min_margin", &O::min_margin, 0.0, 100.0,
-              "minimum log odds of the depth of a track against all other depths"}};
+              "sigma of the differences between the edges of one line in several views"}};
   }
 };
 

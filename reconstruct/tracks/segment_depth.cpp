@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kMaxTurn_rad = 15.0 * kRadPerDeg;  // between a segment and its prediction
 constexpr double kMinOverlap_px = 3.0;
+/// How much more often matches by their look are true than false; ours.
+constexpr double kLookOdds = 20.0;
 constexpr double kChiSquare2 = 13.816;  // 99.9 %, 2 degrees of freedom
 
 /// The search for the line of one segment.
@@ -39,8 +41,7 @@ class Search {
     std::vector<ProposedTrack> all;
     for (const std::size_t view : views_.others(reference_.view)) {
       std::vector<Hypothesis> of_view = hypotheses(view);
-      const double start =
-          std::log(options_.seen_share / (static_cast<double>(of_view.size()) + 1.0));
+      const double start = std::log(kSeenShare / (static_cast<double>(of_view.size()) + 1.0));
       for (Hypothesis& h : of_view) {
         h.said[view].log_odds += start;
         follow(view, h);
@@ -73,9 +74,9 @@ class Search {
   [[nodiscard]] double log_look(const Observation& s) const {
     switch (views_.look(reference_, s)) {
       case SearchedViews::Look::kMatched:
-        return std::log(options_.look_odds);
+        return std::log(kLookOdds);
       case SearchedViews::Look::kMatchedElsewhere:
-        return -std::log(options_.look_odds);
+        return -std::log(kLookOdds);
       default:
         return 0.0;
     }
@@ -133,7 +134,7 @@ class Search {
     const Eigen::Vector2d heights_m(ends[0].height_on(n, offset), ends[1].height_on(n, offset));
     if (!is_possible(heights_m)) return std::nullopt;
     const PredictedLine p = predict(ends, heights_m);
-    const double least_sine = std::sin(candidates_.min_epipolar_angle_deg * kRadPerDeg);
+    const double least_sine = std::sin(kMinEpipolarAngle_deg * kRadPerDeg);
     for (const Eigen::Vector2d& by : p.per_height) {
       if (!(std::abs(n.dot(by)) >= least_sine * by.norm())) return std::nullopt;
     }
@@ -196,8 +197,7 @@ class Search {
       answer.seen = std::pair{seen.segment, o};
     }
     // One more than are seen, so that a lonely segment is not certain either.
-    const double p_seen = options_.seen_share;
-    answer.log_odds = std::log(1.0 - p_seen + p_seen * best_ratio / (n_parallel + 0.5));
+    answer.log_odds = std::log(1.0 - kSeenShare + kSeenShare * best_ratio / (n_parallel + 0.5));
     return answer;
   }
 

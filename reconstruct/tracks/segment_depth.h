@@ -18,6 +18,9 @@ struct ProposedTrack : Track {
   double log_odds = 0.0;  ///< of the track against chance
 };
 
+/// Share of the views that show an edge if it is in their image; ours.
+inline constexpr double kSeenShare = 0.7;
+
 using IsFree = std::function<bool(const Observation&)>;
 
 /// Finds the line of a segment by the segments of all other views.
@@ -29,11 +32,11 @@ using IsFree = std::function<bool(const Observation&)>;
 ///
 ///     (1 - p) + p N(r; 0, S) / density
 ///
-/// with the share p of views that show an edge in their image (seen_share), the residuals r of the
+/// with the share p of views that show an edge in their image (kSeenShare), the residuals r of the
 /// segment across the prediction at both ends of what they share, their covariance S, and the
 /// density of nearly parallel segments beside the prediction: where many run, one of them fits by
 /// chance. The hypothesis starts with the odds p / n of one of n candidates. A match by its look
-/// multiplies the odds by look_odds, a match with another segment divides them. Each observation
+/// multiplies the odds by 20, a match with another segment divides them. Each observation
 /// adds to the heights (least squares), so that the next prediction is sharper.
 ///
 /// The result is the hypothesis of the largest odds with three views or more, if it has

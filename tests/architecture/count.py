@@ -9,7 +9,8 @@ name no other folder count reconstruct, io, evaluate and apps.
   their last name; no specialisations. Aliases: `using NAME =` at namespace or class scope.
 - Functions: bodies at namespace or class scope, so neither lambdas nor `= default`.
 - Options: entries `Field{"name", ...}`. Fields: data members of structs called *Options. Those in
-  no test and no document have a name that is no word of a file in tests, README.md or docs/*.md.
+  no test and no document have a name that is neither a word nor a flag (--sun-step-deg) of a file
+  in tests, README.md or docs/*.md.
 - Lines of these documents: without tables, blocks of code and targets of links.
 """
 import argparse
@@ -172,7 +173,9 @@ class Commit:
         self.cpp = [source for source in self.within(*ROOMS) if source.path.endswith(("h", "cpp"))]
         self.documents = [texts[path] for path in texts if re.match(r"(README|docs/.*)\.md", path)]
         tests = [texts[path] for path in texts if path.startswith("tests/")]
-        self.known = set(re.findall(r"\w+", "\n".join(tests + self.documents)))
+        read = "\n".join(tests + self.documents)
+        flags = {flag.replace("-", "_") for flag in re.findall(r"(?<![\w-])--([a-z][\w-]*)", read)}
+        self.known = set(re.findall(r"\w+", read)) | flags
         self.defined: dict[str, Places] = defaultdict(lambda: defaultdict(list))
         for source in self.cpp:
             for kind, defined, offset in definitions(source):

@@ -153,6 +153,9 @@ TEST_F(TwoViews, AreTheFewestAndPairsAreOfThem) {
   options.matching.candidates.min_overlap = 2.0;
   EXPECT_THROW((void)reconstruct(oriented(), options), std::invalid_argument);
   options = {};
+  options.matching.beyond_chio.min_similarity = 2.0;
+  EXPECT_THROW((void)reconstruct(oriented(), options), std::invalid_argument);
+  options = {};
   options.matching.matchers.clear();
   EXPECT_THROW((void)reconstruct(oriented(), options), std::invalid_argument);
 }

@@ -65,15 +65,13 @@ struct EstimateExtensionOptions {
 /// How lines of buildings meet and lie, for depth_consensus and network.
 struct BuildingOptions {
   double sigma_meeting_m = 0.1;  ///< sigma of the distance of lines that meet
-  double max_miss_m = 2.5;       ///< largest distance of lines that only seem to meet
+  double max_miss_m = 2.5;       ///< of lines that only seem to meet; only a test of units sets it
   double sigma_slope = 0.01;     ///< sigma of the slope of lines that are built horizontal
 
   static constexpr auto fields() {
     using O = BuildingOptions;
     return std::tuple{Field{"sigma_meeting_m", &O::sigma_meeting_m, 1e-4, 1e3,
                             "consensus, network: sigma of the distance of lines that meet"},
-                      Field{"max_miss_m", &O::max_miss_m, 1e-3, 1e4,
-                            "network: maximum distance of lines that only seem to meet"},
                       Field{"sigma_slope", &O::sigma_slope, 1e-6, 1.0,
                             "consensus, network: sigma of the slope of horizontal lines"}};
   }
@@ -81,10 +79,8 @@ struct BuildingOptions {
 
 /// The options of depth_consensus.
 struct ConsensusOptions {
-  double sigma_end_px = 1.0;       ///< sigma along the line of ends that show the same point
-  double gable_share = 0.8;        ///< prior share of gables among what has the shape of one
-  double step_share = 0.07;        ///< prior share of crossings where a row of lines has a step
-  double min_cut_length_px = 7.0;  ///< least length of each part of a match that is cut
+  double gable_share = 0.8;  ///< prior share of gables among what has the shape of one
+  double step_share = 0.07;  ///< prior share of crossings where a row of lines has a step
   /// A line is given no geometry if another depth explains it about as well: if the log of the odds
   /// between both depths is below this.
   double min_depth_margin = 2.5;
@@ -92,14 +88,10 @@ struct ConsensusOptions {
   static constexpr auto fields() {
     using O = ConsensusOptions;
     return std::tuple{
-        Field{"sigma_end_px", &O::sigma_end_px, 1e-3, 1e3,
-              "consensus: sigma of corresponding segment ends along the line"},
         Field{"gable_share", &O::gable_share, 0.0, 1.0,
               "consensus: prior probability that a gable-shaped group of lines is a gable"},
         Field{"step_share", &O::step_share, 0.0, 1.0,
               "consensus: prior probability of a step where a row of lines is crossed"},
-        Field{"min_cut_length_px", &O::min_cut_length_px, 1.0, 1e6,
-              "consensus: minimum length of a part of a cut match"},
         Field{"min_depth_margin", &O::min_depth_margin, 0.0, 1e3,
               "consensus: minimum log odds against another depth; below, the line is ambiguous"}};
   }

@@ -46,12 +46,11 @@ PairMeasures measures(const ConditionedViews& frames, const Crossings& crossings
 
 std::optional<CandidatePoint> candidate_point(const TrackedLines& lines,
                                               const ObservedTrack& line,
-                                              int neighbour,
-                                              const ReconstructOptions& options) {
+                                              int neighbour) {
   const ObservedTrack& mate = lines.lines[static_cast<std::size_t>(neighbour)];
   const Crossings both = crossings(line, mate);
   if (both.seen.size() < 2) return std::nullopt;
-  const double weight = point_weight(measures(lines.frames, both), options);
+  const double weight = point_weight(measures(lines.frames, both));
   if (weight <= 0.0) return std::nullopt;
 
   std::vector<ViewedPoint> observations;
@@ -79,12 +78,9 @@ Eigen::Vector2d crossing_in_view(const TrackedLines& lines,
   return (lines.frames.of(seen).image_from_object * point.estimated.point.mean).hnormalized();
 }
 
-double pair_weight(const TrackedLines& lines,
-                   const ObservedTrack& line,
-                   int neighbour,
-                   const ReconstructOptions& options) {
+double pair_weight(const TrackedLines& lines, const ObservedTrack& line, int neighbour) {
   const Crossings both = crossings(line, lines.lines[static_cast<std::size_t>(neighbour)]);
-  return both.seen.size() < 2 ? 0.0 : point_weight(measures(lines.frames, both), options);
+  return both.seen.size() < 2 ? 0.0 : point_weight(measures(lines.frames, both));
 }
 
 bool plausible(const TrackedLines& lines, const ObservedTrack& line, const Eigen::Vector4d& x) {
@@ -98,13 +94,10 @@ bool plausible(const TrackedLines& lines, const ObservedTrack& line, const Eigen
 
 std::vector<CandidatePoint> candidate_points(const TrackedLines& lines,
                                              const ObservedTrack& line,
-                                             std::span<const int> neighbours,
-                                             const ReconstructOptions& options) {
+                                             std::span<const int> neighbours) {
   std::vector<CandidatePoint> points;
   for (const int neighbour : neighbours) {
-    if (const auto point = candidate_point(lines, line, neighbour, options)) {
-      points.push_back(*point);
-    }
+    if (const auto point = candidate_point(lines, line, neighbour)) points.push_back(*point);
   }
   return points;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "reconstruct/estimate/ok2011/artificial_point.h"
-#include "reconstruct/estimate/ok2011/options.h"
 #include "reconstruct/estimate/ok2011/point_weight.h"
 #include "reconstruct/estimate/tracked_lines.h"
 
@@ -25,10 +24,7 @@ bool plausible(const TrackedLines& lines, const ObservedTrack& line, const Eigen
 
 /// Weight W of Eq. 6 of a line and a neighbour: how well they meet in the images that show both, 0
 /// to 1; 0 for fewer than two such images.
-double pair_weight(const TrackedLines& lines,
-                   const ObservedTrack& line,
-                   int neighbour,
-                   const ReconstructOptions& options);
+double pair_weight(const TrackedLines& lines, const ObservedTrack& line, int neighbour);
 
 /// Where a view shows the artificial point of a line: where the line crosses the neighbour, or the
 /// image of the point in a view without the neighbour.
@@ -42,7 +38,6 @@ Eigen::Vector2d crossing_in_view(const TrackedLines& lines,
 /// camera or outside the range of heights.
 std::vector<CandidatePoint> candidate_points(const TrackedLines& lines,
                                              const ObservedTrack& line,
-                                             std::span<const int> neighbours,
-                                             const ReconstructOptions& options);
+                                             std::span<const int> neighbours);
 
 }  // namespace ridgeline::reconstruct

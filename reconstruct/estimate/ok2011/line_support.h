@@ -3,7 +3,6 @@
 
 #include "reconstruct/estimate/ok2011/adjust_line.h"
 #include "reconstruct/estimate/ok2011/candidate_points.h"
-#include "reconstruct/estimate/ok2011/options.h"
 
 #include <array>
 #include <optional>
@@ -30,14 +29,12 @@ struct LineSupport {
 };
 
 /// The point of highest weight in each region.
-std::vector<CandidatePoint> best_of_regions(std::span<const CandidatePoint> candidates,
-                                            const ReconstructOptions& options);
+std::vector<CandidatePoint> best_of_regions(std::span<const CandidatePoint> candidates);
 
 /// The line of a match and the points of highest weight in each region (Ok et al. 2011,
 /// section 3.1).
 LineSupport published_support(const TrackedLines& lines,
                               const ObservedTrack& line,
-                              std::span<const int> neighbours,
-                              const ReconstructOptions& options);
+                              std::span<const int> neighbours);
 
 }  // namespace ridgeline::reconstruct

@@ -30,22 +30,11 @@ struct ReconstructOptions {
   LineCovariance line_covariance = LineCovariance::kEq1;
 
   double max_aligned_angle_deg = kMaxAlignedAngle_deg;  ///< largest angle of an `aligned` line
-  double sigma_distance_px = 5.0;    ///< sigma_1 of Eq. 6: distance of the two segments
-  double sigma_epipolar_px = 2.0;    ///< sigma_2 of Eq. 6: distance to the epipolar line
-  double min_pair_angle_deg = 10.0;  ///< a pair up to this angle gives no point (t of Eq. 6)
-  double min_weight = 0.01;          ///< T_w: points up to this weight are discarded
 
   static constexpr auto fields() {
     using O = ReconstructOptions;
     return std::tuple{Field{"max_aligned_angle_deg", &O::max_aligned_angle_deg, 0.0, 90.0,
-                            "maximum angle of class aligned to the epipolar line"},
-                      Field{"sigma_distance_px", &O::sigma_distance_px, 1e-3, 1e4,
-                            "weight of a point: sigma of the distance of its two segments"},
-                      Field{"sigma_epipolar_px", &O::sigma_epipolar_px, 1e-3, 1e4,
-                            "weight of a point: sigma of its distance from the epipolar line"},
-                      Field{"min_pair_angle_deg", &O::min_pair_angle_deg, 0.0, 90.0,
-                            "weight of a point: 0 below this angle between its two segments"},
-                      Field{"min_weight", &O::min_weight, 0.0, 1.0, "minimum weight of a point"}};
+                            "maximum angle of class aligned to the epipolar line"}};
   }
 };
 

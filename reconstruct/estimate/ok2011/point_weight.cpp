@@ -11,6 +11,11 @@
 namespace ridgeline::reconstruct {
 namespace {
 
+// Ok et al. 2011, Eq. 6.
+constexpr double kSigmaDistance_px = 5.0;    // sigma_1: distance of the two segments
+constexpr double kSigmaEpipolar_px = 2.0;    // sigma_2: distance to the epipolar line
+constexpr double kMinPointAngle_deg = 10.0;  // t: a pair up to this angle gives no point
+
 bool better(const RankedPoint& a, const RankedPoint& b) {
   return std::tuple(-a.weight, a.omega, a.neighbour) < std::tuple(-b.weight, b.omega, b.neighbour);
 }
@@ -27,11 +32,11 @@ PairMeasures smallest_of_each(std::span<const PairMeasures> images) {
   return smallest;
 }
 
-double point_weight(const PairMeasures& measures, const ReconstructOptions& options) {
+double point_weight(const PairMeasures& measures) {
   const double angle_deg = deg_from_rad(measures.angle_rad);
-  if (!(angle_deg > options.min_pair_angle_deg)) return 0.0;
-  return std::exp(-measures.distance_px / (2.0 * options.sigma_distance_px) -
-                  measures.epipolar_distance_px / (2.0 * options.sigma_epipolar_px));
+  if (!(angle_deg > kMinPointAngle_deg)) return 0.0;
+  return std::exp(-measures.distance_px / (2.0 * kSigmaDistance_px) -
+                  measures.epipolar_distance_px / (2.0 * kSigmaEpipolar_px));
 }
 
 Region region(double parameter) {
@@ -39,11 +44,10 @@ Region region(double parameter) {
   return parameter > 2.0 / 3.0 ? Region::kRight : Region::kCentre;
 }
 
-std::vector<std::size_t> select_points(std::span<const RankedPoint> points,
-                                       const ReconstructOptions& options) {
+std::vector<std::size_t> select_points(std::span<const RankedPoint> points) {
   std::array<std::optional<std::size_t>, kNumRegions> best;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!(points[i].weight > options.min_weight)) continue;
+    if (!(points[i].weight > kMinWeight)) continue;
     std::optional<std::size_t>& champion =
         best.at(static_cast<std::size_t>(region(points[i].parameter)));
     if (!champion || better(points[i], points[*champion])) champion = i;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/estimate/ok2011/options.h"
-
 #include <array>
 #include <cstdint>
 #include <span>
@@ -21,9 +19,12 @@ struct PairMeasures {
 /// The smallest one of all images for each measure ("minimum" in Ok et al. 2011).
 PairMeasures smallest_of_each(std::span<const PairMeasures> images);
 
-/// W = t exp(-d / (2 sigma_1) - d_e / (2 sigma_2)), t = 0 for angles up to min_pair_angle_deg, else
-/// 1 (Ok et al. 2011, Eq. 6, rearranged). In [0, 1].
-double point_weight(const PairMeasures& measures, const ReconstructOptions& options);
+/// T_w of Ok et al. 2011, section 3.1: points up to this weight are discarded.
+inline constexpr double kMinWeight = 0.01;
+
+/// W = t exp(-d / (2 sigma_1) - d_e / (2 sigma_2)), t = 0 for angles up to 10 degrees, else 1 (Ok
+/// et al. 2011, Eq. 6, rearranged). In [0, 1].
+double point_weight(const PairMeasures& measures);
 
 /// The third of the base segment that a point falls into; the outer ones are unbounded.
 enum class Region : std::uint8_t { kLeft, kCentre, kRight };
@@ -42,8 +43,7 @@ struct RankedPoint {
 
 /// Indices of the points to use, the one of highest weight in each region (Ok et al. 2011, Fig. 6),
 /// in order of the regions; ties go to the smaller omega, then to the smaller neighbour. Points of
-/// weight up to options.min_weight are not used.
-std::vector<std::size_t> select_points(std::span<const RankedPoint> points,
-                                       const ReconstructOptions& options);
+/// weight up to kMinWeight are not used.
+std::vector<std::size_t> select_points(std::span<const RankedPoint> points);
 
 }  // namespace ridgeline::reconstruct

@@ -264,7 +264,7 @@ std::vector<ReconstructedLine> reconstruct_lines(const TrackedSegments& tracked,
   if (options.method == Method::kDirect) return direct;
 
   SupportOfTrack support = [&](const ObservedTrack& line, std::span<const int> mates) {
-    return std::vector{published_support(lines, line, mates, options)};
+    return std::vector{published_support(lines, line, mates)};
   };
   if (beyond.support) {
     support = beyond.support(lines, direct_lines(lines, lines.lines, tracks, options));

@@ -5,22 +5,26 @@
 #include <iterator>
 
 namespace ridgeline::reconstruct {
+namespace {
 
+constexpr double kFaintSmoothing_px = 1.6;  ///< of the gradient (calibration.md)
+/// Shorter edges of the second pass are mostly texture (calibration.md).
+constexpr double kMinFaintLength_px = 25.0;
 /// Below this ratio, a second look at a soft image takes a seventh of the time of a
 /// run and finds 3 % of the roof edges of the villages of seeds 1 to 3 at a blur of 3 px, none at 2
 /// px.
 constexpr double kMoreSmoothing = 1.2;
 
+}  // namespace
+
 std::vector<EdgeTrace> with_faint_edges(std::vector<EdgeTrace> known,
                                         const ImagePart& image,
                                         const ExtractionOptions& options) {
-  if (options.beyond.faint_gradient_sigma_px <= kMoreSmoothing * options.edges.gradient_sigma_px)
-    return known;
+  if (kFaintSmoothing_px <= kMoreSmoothing * options.edges.gradient_sigma_px) return known;
   ExtractOptions smoother = options.edges;
-  smoother.gradient_sigma_px = options.beyond.faint_gradient_sigma_px;
-  smoother.min_length_px =
-      std::max(options.edges.min_length_px, options.beyond.faint_min_length_px);
-  smoother.diffusion_levels = 0;  // the smoothing leaves nothing for the diffusion to do
+  smoother.gradient_sigma_px = kFaintSmoothing_px;
+  smoother.min_length_px = std::max(options.edges.min_length_px, kMinFaintLength_px);
+  smoother.diffusion = false;  // the smoothing leaves nothing for the diffusion to do
   std::vector<EdgeTrace> faint = edge_traces(image, smoother, known);
   std::move(faint.begin(), faint.end(), std::back_inserter(known));
   return known;

@@ -21,6 +21,8 @@ constexpr double kMeetingReach_px = 6.0;  ///< an edge ends a little before the 
 constexpr double kGap_px = 3.0;           ///< a strip that crosses an edge interrupts it
 /// In multiples of min_length_px: short parts are matched badly.
 constexpr double kMinPartLength = 2.5;
+/// A cut stays if two lines fit better than one by this, root mean square (beyond.md).
+constexpr double kMinJunctionBend_px = 0.05;
 constexpr double kMinAngle_rad = 20.0 * kRadPerDeg;
 
 /// The ends of all edges; end k is of edge k / 2.
@@ -156,9 +158,8 @@ std::vector<EdgeTrace> cut_at_junctions(std::vector<EdgeTrace> edges,
     const Points points = positions(edges[i]);
     runs[i] = runs_between(points, axes[i], junctions_of(i, edges, axes, ends));
     join_short(runs[i], points, kMinPartLength * options.edges.min_length_px);
-    join(runs[i], 1.0, [&](const TraceRun& a, const TraceRun& b) {
-      return bend_of(a, b, options.beyond.min_junction_bend_px);
-    });
+    join(runs[i], 1.0,
+         [&](const TraceRun& a, const TraceRun& b) { return bend_of(a, b, kMinJunctionBend_px); });
   });
   std::vector<EdgeTrace> cut;
   for (std::size_t i = 0; i < edges.size(); ++i) {

@@ -15,7 +15,7 @@ namespace ridgeline::reconstruct {
 /// (bends()), because the colours beside an edge change and shift it.
 ///
 /// An edge is first cut at all its junctions. Neighbouring parts are then joined again if two lines
-/// do not fit better than one by min_junction_bend_px (root mean square) and by more than the
+/// do not fit better than one by 0.05 px (root mean square) and by more than the
 /// scatter explains; parts that one line fits best are joined first. Each part is at least 2.5
 /// times min_length_px long.
 std::vector<EdgeTrace> cut_at_junctions(std::vector<EdgeTrace> edges,

@@ -9,6 +9,9 @@
 namespace ridgeline::reconstruct {
 namespace {
 
+/// An edge is cut where two lines fit better by this, root mean square (calibration.md).
+constexpr double kMinBend_px = 0.2;
+
 std::vector<Eigen::Vector2d> along_and_across(std::span<const Eigen::Vector2d> points) {
   const PrincipalAxes axes = principal_axes(points);
   const Eigen::Vector2d normal(-axes.along.y(), axes.along.x());
@@ -43,7 +46,7 @@ std::optional<std::size_t> best_cut(std::span<const Eigen::Vector2d> points,
     cut = i + 1;
   }
   const double gain = one_line - least;
-  if (gain <= all.n * options.min_bend_px * options.min_bend_px) return std::nullopt;
+  if (gain <= all.n * kMinBend_px * kMinBend_px) return std::nullopt;
   return gain * (all.n - 4.0) > kSignificant * least ? cut : std::nullopt;
 }
 

@@ -20,6 +20,10 @@ namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
+/// Least significance() of an edge: a short edge must be strong, a faint one long. Chance
+/// alignments in texture are neither. Ours.
+constexpr double kMinSignificance = 10.0;
+
 /// True if a pixel of the chain is stronger than the high threshold (hysteresis).
 bool has_strong_pixel(const Chain& chain,
                       std::span<const EdgePixel> pixels,
@@ -71,7 +75,7 @@ std::vector<EdgeTrace> straight_parts(const EdgeTrace& trace, const ExtractOptio
     if (borders[i + 1] - borders[i] < 3) continue;
     const std::span<const Eigen::Vector2d> part =
         std::span(points).subspan(borders[i], borders[i + 1] - borders[i]);
-    if (principal_axes(part).lambda_min > options.max_lambda_min_px2) continue;
+    if (principal_axes(part).lambda_min > kMaxLambdaMin_px2) continue;
     parts.emplace_back(trace.begin() + static_cast<std::ptrdiff_t>(borders[i]),
                        trace.begin() + static_cast<std::ptrdiff_t>(borders[i + 1]));
   }
@@ -93,7 +97,7 @@ std::vector<EdgeTrace> edge_traces(const ImagePart& image,
     for (EdgeTrace& part : straight_parts(*trace, options)) {
       const Eigen::Vector2d chord = part.back().position_px - part.front().position_px;
       if (chord.norm() < options.min_length_px) continue;
-      if (significance(part, gradient.noise) < options.min_significance) continue;
+      if (significance(part, gradient.noise) < kMinSignificance) continue;
       tracer.claim(part);
       edges.push_back(std::move(part));
     }

@@ -16,6 +16,7 @@ constexpr double kMinAcrossCosine = 0.9;  ///< 25 degrees between gradient and n
 constexpr double kMinFill = 0.6;          ///< share of the steps that have a sample
 constexpr double kMaxClaimed = 0.5;       ///< share of the samples that other traces have claimed
 constexpr double kRefitGrowth = 1.2;
+constexpr int kMaxGap_px = 10;  ///< an edge that continues after such a gap is the same; ours
 constexpr double kMinRelativeStrength = 0.3;  ///< share of the trace's median strength
 
 double median_strength(const EdgeTrace& trace) {
@@ -115,7 +116,7 @@ void LineTracer::extend(EdgeTrace& trace, TracedLine& line, int direction) const
   std::size_t refit_at = static_cast<std::size_t>(kRefitGrowth * double(trace.size()));
   EdgeTrace beyond;
   int gap = 0;
-  for (int step = trace.back().step + direction; gap <= options_.max_gap_px; step += direction) {
+  for (int step = trace.back().step + direction; gap <= kMaxGap_px; step += direction) {
     const cv::Point pixel = line.pixel(step, static_cast<int>(std::lround(line.minor_at(step))));
     if (!cv::Rect({0, 0}, claimed_.size()).contains(pixel)) return;
     const double noise = options_.low_noise_factor * image_.noise.at(pixel.x, pixel.y);

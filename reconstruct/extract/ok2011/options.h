@@ -10,20 +10,12 @@ namespace ridgeline::reconstruct {
 /// Strengths are multiples of the local noise: the typical strength of the gradient where there is
 /// no edge (NoiseGrid).
 struct ExtractOptions {
-  /// Levels of the non-linear diffusion before detection; 0: none.
-  int diffusion_levels = 3;
-  double diffusion_lambda = 2.0;     ///< edges this many times as strong as the noise stop it
-  double gradient_sigma_px = 0.8;    ///< a larger one loses close edges, a smaller one is noisier
-  double low_noise_factor = 1.0;     ///< least strength of a pixel of an edge
-  double high_noise_factor = 2.0;    ///< least strength of the strongest pixel of an edge
-  double max_lambda_min_px2 = 0.15;  ///< straightness: variance across the line
-  double max_deviation_px = 1.0;     ///< straightness: largest distance from the line
-  double min_bend_px = 0.2;          ///< an edge is cut where two lines fit better by this
-  double max_gap_px = 10.0;          ///< an edge that continues after such a gap is the same
+  bool diffusion = true;           ///< before detection, except for faint edges
+  double gradient_sigma_px = 0.8;  ///< a larger one loses close edges, a smaller one is noisier
+  double low_noise_factor = 1.0;   ///< least strength of a pixel of an edge
+  double high_noise_factor = 2.0;  ///< least strength of the strongest pixel of an edge
+  double max_deviation_px = 1.0;   ///< straightness: largest distance from the line
   double min_length_px = 10.0;
-  /// Mean strength, in multiples of the noise, times the root of the number of edge pixels: a short
-  /// edge must be strong, a faint one long. Chance alignments in texture are neither.
-  double min_significance = 10.0;
   /// Systematic parts of the stated uncertainty. Where an edge appears depends on the tone curve of
   /// the image and on details too small to be resolved (gutters, caps of ridges); calibrated on
   /// rendered roofs, where the tone curve alone moves eaves by 0.1 px towards the dark side.
@@ -33,27 +25,15 @@ struct ExtractOptions {
   static constexpr auto fields() {
     using O = ExtractOptions;
     return std::tuple{
-        Field{"diffusion_levels", &O::diffusion_levels, 0, 3,
-              "levels of edge-preserving colour diffusion before detection"},
-        Field{"diffusion_lambda", &O::diffusion_lambda, 0.1, 100.0,
-              "diffusion stops at edges this many times stronger than the noise"},
         Field{"gradient_sigma_px", &O::gradient_sigma_px, 0.5, 5.0,
               "smoothing of the colour gradient"},
         Field{"low_noise_factor", &O::low_noise_factor, 0.0, 1e3,
               "minimum strength of an edge pixel, in multiples of the noise"},
         Field{"high_noise_factor", &O::high_noise_factor, 0.0, 1e3,
               "minimum strength of the strongest pixel of an edge, in multiples of the noise"},
-        Field{"max_lambda_min_px2", &O::max_lambda_min_px2, 1e-4, 100.0,
-              "straightness: maximum variance of the edge pixels across the line"},
         Field{"max_deviation_px", &O::max_deviation_px, 0.1, 100.0,
               "straightness: maximum distance of an edge pixel from the line"},
-        Field{"min_bend_px", &O::min_bend_px, 0.0, 100.0,
-              "cut an edge where two lines reduce the RMS of one line by at least this"},
-        Field{"max_gap_px", &O::max_gap_px, 0.0, 1e3, "bridge gaps up to this length"},
         Field{"min_length_px", &O::min_length_px, 3.0, 1e5, "minimum length of a segment"},
-        Field{"min_significance", &O::min_significance, 0.0, 1e6,
-              "minimum significance: strength over noise times the root of the number of edge "
-              "pixels"},
         Field{"systematic_across_px", &O::systematic_across_px, 0.0, 10.0,
               "systematic part of the sigma across a segment"},
         Field{"systematic_ends_px", &O::systematic_ends_px, 0.0, 10.0,

@@ -26,8 +26,11 @@ struct PrincipalAxes {
 /// The principal axes of at least one point; identical points have the x axis.
 PrincipalAxes principal_axes(std::span<const Eigen::Vector2d> points);
 
+/// Straightness: largest variance across the line. Ours; Ok et al. 2011, section 2, give no number.
+inline constexpr double kMaxLambdaMin_px2 = 0.15;
+
 /// Cuts an ordered curve into straight pieces: a run is straight if the points' variance across
-/// their principal axis is at most `max_lambda_min_px2` and none is farther from it than
+/// their principal axis is at most kMaxLambdaMin_px2 and none is farther from it than
 /// `max_deviation_px`; else it is cut at the point farthest from the chord of its ends, and both
 /// halves are treated alike. Pieces whose chord is shorter than `min_length_px` are left out.
 std::vector<Piece> straight_pieces(std::span<const Eigen::Vector2d> points,

@@ -33,9 +33,8 @@ MatchExtensions match_extensions(const MatchExtensionOptions& options,
 ChioExtensions chio_extensions(const ChioExtensionOptions& options,
                                const CandidateLook& change_look) {
   ChioExtensions beyond{change_look};
-  if (options.allow_noise) beyond.noise = NoiseAllowance{options.edge_sigma_px};
-  if (options.by_look)
-    beyond.by_look = ChoiceByLook{options.min_similarity, options.max_similarity_ratio};
+  if (options.allow_noise) beyond.noise = NoiseAllowance{};
+  if (options.by_look) beyond.by_look = ChoiceByLook{options.min_similarity};
   return beyond;
 }
 

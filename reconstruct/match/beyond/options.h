@@ -17,7 +17,6 @@ struct MatchExtensionOptions {
   /// Mates of unmatched segments are looked for where the surfaces beside the segments predict
   /// them. See guided_matches().
   bool guided = true;
-  double guided_min_similarity = 0.8;
 
   static constexpr MatchExtensionOptions none() {
     return {.matched_radiometry = false, .hidden_walls = false, .surface = false, .guided = false};
@@ -33,9 +32,7 @@ struct MatchExtensionOptions {
         Field{"surface", &O::surface, false, true,
               "select among candidates by the depth of the adjacent surfaces (dense matching)"},
         Field{"guided", &O::guided, false, true,
-              "search unmatched lines in the other image where these surfaces predict them"},
-        Field{"guided_min_similarity", &O::guided_min_similarity, 0.0, 1.0,
-              "guided: minimum similarity"}};
+              "search unmatched lines in the other image where these surfaces predict them"}};
   }
 };
 
@@ -43,10 +40,7 @@ struct MatchExtensionOptions {
 struct ChioExtensionOptions {
   bool allow_noise = true;
   bool by_look = true;
-  double edge_sigma_px = 0.25;  ///< sigma of a single edge pixel across its edge
   double min_similarity = 0.3;
-  /// Largest ratio of the similarities of the next candidate and the best one.
-  double max_similarity_ratio = 0.8;
 
   static constexpr ChioExtensionOptions none() { return {.allow_noise = false, .by_look = false}; }
 
@@ -57,12 +51,8 @@ struct ChioExtensionOptions {
               "widen limits by noise and compare heights where lines meet; off: as published"},
         Field{"by_look", &O::by_look, false, true,
               "rank candidates by appearance; off: by their reliable pieces, as published"},
-        Field{"edge_sigma_px", &O::edge_sigma_px, 1e-3, 10.0,
-              "allow_noise: noise of an edge pixel across its edge"},
         Field{"min_similarity", &O::min_similarity, 0.0, 1.0,
-              "by_look: minimum similarity of a match"},
-        Field{"max_similarity_ratio", &O::max_similarity_ratio, 0.0, 1.0,
-              "by_look: maximum ratio of the similarities of the second-best and best candidates"}};
+              "by_look: minimum similarity of a match"}};
   }
 };
 

@@ -27,7 +27,7 @@ ChioLine line_of(int left_id,
     links.push_back(candidates.list[c].right);
   }
   line.fragments.assign(links.begin() + 1, links.end());
-  line.line = line_through_links(left_id, links, pair, candidates.gsd_m, options);
+  line.line = line_through_links(left_id, links, pair, candidates.gsd_m);
   return line;
 }
 

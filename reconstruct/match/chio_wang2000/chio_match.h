@@ -34,8 +34,7 @@ struct ChioResult {
 /// structure outwards, further fragments of the right edge are linked and one 3D line is fitted to
 /// all reliable points. Segments along the epipolar lines are left alone.
 ///
-/// @param candidate_options  options of the search for candidates; its min_epipolar_angle_deg is
-/// replaced by that of `options`
+/// @param candidate_options  options of the search for candidates
 /// The result is the same for any number of threads. Throws std::invalid_argument as
 /// match_pairwise() does.
 ChioResult chio_match(const StereoPair& pair,

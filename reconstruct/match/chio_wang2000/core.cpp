@@ -13,8 +13,15 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kSigmas = 3.0;      // multiple of the sigma of rates that is allowed for as noise
-constexpr int kMaxCandidates = 100;  // replaces max_candidates where the look does not decide
+// Chio and Wang 2000, section 4. Rates of height change are in m/m.
+constexpr double kMaxRate = 1.0;                      // of the mean
+constexpr double kMaxRateSigma = 3.0;                 // of the pieces
+constexpr double kMaxFlankDifference = 20.0 / 255.0;  // share of the range of grey values
+constexpr int kMinLinkPieces = 5;
+constexpr double kMaxLinkRateDifference = 0.2;
+
+constexpr double kSigmas = 3.0;  // multiple of the sigma of rates that is allowed for as noise
+constexpr int kMaxCandidatesOfAnyLook = 100;  // where the look does not decide
 
 /// One left segment on its way through the screening.
 struct Screened {
@@ -46,7 +53,7 @@ RateNoise rate_noise(const ChainSummary& chain, double gsd_m, const ChioExtensio
 /// makes no allowance for that; NoiseAllowance does.
 double azimuth_limit_rad(const LocalTransfer& transfer, const CoreContext& context) {
   const double turn_rad =
-      context.beyond.noise ? std::atan(context.options.max_rate * transfer.base_to_height()) : 0.0;
+      context.beyond.noise ? std::atan(kMaxRate * transfer.base_to_height()) : 0.0;
   return context.options.max_azimuth_deg * kRadPerDeg + turn_rad;
 }
 
@@ -80,12 +87,11 @@ ChioOutcome screening(const CoreContext& context,
       azimuth_limit_rad(screened.transfer, context)) {
     return ChioOutcome::kAzimuth;
   }
-  if (flank_difference(context, {screened.left, right, candidate.overlap}) >
-      options.max_flank_difference) {
+  if (flank_difference(context, {screened.left, right, candidate.overlap}) > kMaxFlankDifference) {
     return ChioOutcome::kFlank;
   }
-  if (std::abs(chain.mean_rate) > options.max_rate + noise.mean) return ChioOutcome::kSteep;
-  if (chain.rate_sigma > std::max(options.max_rate_sigma, noise.sigma)) return ChioOutcome::kUneven;
+  if (std::abs(chain.mean_rate) > kMaxRate + noise.mean) return ChioOutcome::kSteep;
+  if (chain.rate_sigma > std::max(kMaxRateSigma, noise.sigma)) return ChioOutcome::kUneven;
   return ChioOutcome::kMatched;
 }
 
@@ -104,12 +110,12 @@ CoreCandidates candidates_of(const CoreContext& context,
     }
     const ChainSummary chain =
         edge_chain(context.pair.search.right_from_left, screened.points, left.line,
-                   context.pair.right.segments[candidate.right].line, result.gsd_m, context.options)
+                   context.pair.right.segments[candidate.right].line, result.gsd_m)
             .summary;
     const ChioOutcome verdict = screening(context, screened, candidate, chain);
     const bool may_begin = verdict == ChioOutcome::kMatched;
     if (!may_begin) result.reason = std::max(result.reason, verdict);
-    if (may_begin || chain.n_reliable >= context.options.min_link_pieces) {
+    if (may_begin || chain.n_reliable >= kMinLinkPieces) {
       result.list.push_back(
           {candidate.right, candidate.overlap, chain, candidate.similarity, may_begin});
     }
@@ -137,10 +143,9 @@ std::vector<CoreCandidates> core_candidates(const SearchedPair& pair,
                                             const CandidateOptions& candidate_options,
                                             const ChioExtensions& beyond) {
   const Radiometry radiometry = relative_radiometry(pair.left.segments, pair.right.segments);
-  CandidateOptions wide = candidate_options;
-  wide.min_epipolar_angle_deg = options.min_epipolar_angle_deg;
-  if (!beyond.by_look) wide.max_candidates = kMaxCandidates;
-  const Candidates found = match_candidates(pair, radiometry, wide, beyond.change_look);
+  const Candidates found =
+      match_candidates(pair, radiometry, candidate_options, beyond.change_look,
+                       beyond.by_look ? kMaxCandidates : kMaxCandidatesOfAnyLook);
   const CoreContext context{pair, radiometry, options, beyond};
   std::vector<CoreCandidates> candidates(pair.left.segments.size());
   tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
@@ -160,11 +165,10 @@ std::vector<int> linked_fragments(const CoreCandidates& candidates,
   std::vector<int> fragments;
   for (std::size_t c = 0; c < candidates.list.size(); ++c) {
     const CoreCandidate& other = candidates.list[c];
-    if (static_cast<int>(c) == begin || other.chain.n_reliable < options.min_link_pieces) continue;
+    if (static_cast<int>(c) == begin || other.chain.n_reliable < kMinLinkPieces) continue;
     const double noise =
         std::hypot(first_noise, rate_noise(other.chain, candidates.gsd_m, beyond).mean);
-    if (std::abs(other.chain.mean_rate - first.chain.mean_rate) >
-        options.max_link_rate_difference + noise) {
+    if (std::abs(other.chain.mean_rate - first.chain.mean_rate) > kMaxLinkRateDifference + noise) {
       continue;
     }
     const double turn_rad =

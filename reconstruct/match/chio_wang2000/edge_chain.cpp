@@ -10,6 +10,9 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kBeyondEnd_px = 1.0;
+/// Least dP(i) of a reliable piece, in ground pixels: 0.12 m in Chio and Wang 2000, section 4,
+/// whose ground pixel is 0.24 m.
+constexpr double kMinPiece_gsd = 0.5;
 
 /// The line of a segment: n . y = c, |n| = 1, and where it begins.
 struct RightLine {
@@ -127,12 +130,11 @@ EdgeChain edge_chain(const EpipolarTransfer& right_from_left,
                      std::span<const SearchedPoint> left_points,
                      const UncertainSegment2& left,
                      const UncertainSegment2& right,
-                     double gsd_m,
-                     const ChioOptions& options) {
+                     double gsd_m) {
   EdgeChain chain;
   chain.points = chain_points(right_from_left, left_points, RightLine(right.segment));
   if (chain.points.empty()) return chain;
-  chain.pieces = pieces_of(chain.points, options.min_piece_gsd * gsd_m);
+  chain.pieces = pieces_of(chain.points, kMinPiece_gsd * gsd_m);
   summarise_pieces(chain);
   summarise_heights(right_from_left, left_points, left, right, chain);
   return chain;

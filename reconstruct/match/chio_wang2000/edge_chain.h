@@ -4,7 +4,6 @@
 #include "reconstruct/geometry/epipolar_transfer.h"
 #include "reconstruct/geometry/uncertain/uncertain_segment.h"
 #include "reconstruct/match/chio_wang2000/edge_points.h"
-#include "reconstruct/match/chio_wang2000/options.h"
 
 #include <Eigen/Core>
 
@@ -64,14 +63,13 @@ std::vector<SearchedPoint> searched_points(const EpipolarTransfer& right_from_le
 /// The chain of a candidate (Chio and Wang 2000, section 3). The epipolar line of each left point
 /// cuts the right segment, and forward intersection gives P(i). Points that would lie beyond the
 /// ends of the right segment by more than a pixel are left out. A piece is reliable if its
-/// horizontal length is at least min_piece_gsd ground pixels and its rate is finite. For a segment
+/// horizontal length is at least half a ground pixel and its rate is finite. For a segment
 /// along the epipolar line the points are not finite and all are left out.
 EdgeChain edge_chain(const EpipolarTransfer& right_from_left,
                      std::span<const SearchedPoint> left_points,
                      const UncertainSegment2& left,
                      const UncertainSegment2& right,
-                     double gsd_m,
-                     const ChioOptions& options);
+                     double gsd_m);
 
 /// The standard deviation of the rate of a single piece that the noise of the edge pixels alone
 /// would cause.

@@ -12,6 +12,9 @@
 namespace ridgeline::reconstruct {
 namespace {
 
+/// Largest distance of a junction from its mate's epipolar line; ours, as the paper gives none.
+constexpr double kMaxJunctionEpipolar_px = 2.0;
+
 enum class HeightLimit : std::uint8_t { kClose, kRelaxed };
 
 /// A right junction that may show the junction of a left structure.
@@ -34,8 +37,8 @@ class Iteration {
         options_(options),
         by_look_(beyond.by_look),
         heights_(left_segments_, beyond.noise),
-        structures_(linear_structures(left_segments_, options)),
-        right_structures_(linear_structures(ideal_segments(pair.right), options)),
+        structures_(linear_structures(left_segments_)),
+        right_structures_(linear_structures(ideal_segments(pair.right))),
         right_of_segment_(structures_of_segments(right_structures_, pair.right.segments.size())),
         acquisition_(pair.left, pair.right, candidates, by_look_) {}
 
@@ -59,8 +62,7 @@ class Iteration {
   }
 
   [[nodiscard]] double limit_m(HeightLimit limit) const {
-    return limit == HeightLimit::kClose ? options_.height_difference_m
-                                        : options_.relaxed_height_difference_m;
+    return limit == HeightLimit::kClose ? options_.height_difference_m : kRelaxedHeightDifference_m;
   }
 
   /// Tries to match a segment under the height of one neighbour. If a right structure is given, the
@@ -132,7 +134,7 @@ class Iteration {
     std::vector<SharedJunction> found;
     for (const int r : right) {
       if (epipolar_distance_px(search_.right_from_left.fundamental(), structure.junction_px,
-                               right_structures_[r].junction_px) > options_.junction_epipolar_px) {
+                               right_structures_[r].junction_px) > kMaxJunctionEpipolar_px) {
         continue;
       }
       found.push_back(shared_junction(structure, r));

@@ -14,6 +14,10 @@
 
 namespace ridgeline::reconstruct {
 
+/// Limit of the height difference in the third and fourth process, once nothing more is found (Chio
+/// and Wang 2000, section 4).
+inline constexpr double kRelaxedHeightDifference_m = 5.0;
+
 struct ProcessedSegments {
   std::vector<std::optional<Acquired>> acquired;  ///< by left segment
   std::vector<ChioOutcome> outcomes;

@@ -87,15 +87,14 @@ std::optional<FittedLine> fit_line(std::span<const Eigen::Vector3d> points, doub
 std::optional<FittedLine> line_through_links(int left_id,
                                              std::span<const int> right_ids,
                                              const SearchedPair& pair,
-                                             double gsd_m,
-                                             const ChioOptions& options) {
+                                             double gsd_m) {
   const EdgeSegment& edge = pair.left.segments[left_id];
   const std::vector<SearchedPoint> searched =
       searched_points(pair.search.right_from_left, ImageSampler(pair.left.image), edge);
   std::vector<ChainPoint> on_line;
   for (const int id : right_ids) {
     add_reliable_points(edge_chain(pair.search.right_from_left, searched, edge.line,
-                                   pair.right.segments[id].line, gsd_m, options),
+                                   pair.right.segments[id].line, gsd_m),
                         on_line);
   }
   // fragments are linked in any order; the line runs the way of the left segment

@@ -3,7 +3,6 @@
 
 #include "reconstruct/geometry/epipolar_transfer.h"
 #include "reconstruct/geometry/uncertain/pluecker.h"
-#include "reconstruct/match/chio_wang2000/options.h"
 #include "reconstruct/scene/scene.h"
 
 #include <optional>
@@ -31,7 +30,6 @@ std::optional<FittedLine> fit_line(std::span<const Eigen::Vector3d> points, doub
 std::optional<FittedLine> line_through_links(int left_id,
                                              std::span<const int> right_ids,
                                              const SearchedPair& pair,
-                                             double gsd_m,
-                                             const ChioOptions& options);
+                                             double gsd_m);
 
 }  // namespace ridgeline::reconstruct

@@ -18,6 +18,10 @@ namespace {
 
 namespace bg = boost::geometry;
 
+// Ours; the paper gives neither.
+constexpr double kJunctionRadius_px = 5.0;  // largest distance of a junction from its segments
+constexpr double kMinJunctionAngle_rad = 20.0 * kRadPerDeg;
+
 /// Two segments that meet.
 struct Crossing {
   Eigen::Vector2d x;
@@ -30,20 +34,18 @@ double end_distance(const Segment2& s, const Eigen::Vector2d& x) {
   return std::min((s.start - x).norm(), (s.end - x).norm());
 }
 
-std::vector<Crossing> crossings_of(std::span<const Segment2> segments, const ChioOptions& options) {
+std::vector<Crossing> crossings_of(std::span<const Segment2> segments) {
   const BoxIndex2 index(segments);
-  const double radius = options.junction_radius_px;
   std::set<std::pair<std::size_t, std::size_t>> seen;
   std::vector<Crossing> crossings;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     for (const Eigen::Vector2d& end : {segments[i].start, segments[i].end}) {
-      for (const std::size_t k : index.near(Segment2{end, end}, 2.0 * radius)) {
+      for (const std::size_t k : index.near(Segment2{end, end}, 2.0 * kJunctionRadius_px)) {
         if (k == i) continue;
-        const auto x =
-            intersection(segments[i], segments[k], options.min_junction_angle_deg * kRadPerDeg);
-        if (!x || end_distance(segments[i], *x) > radius) continue;
+        const auto x = intersection(segments[i], segments[k], kMinJunctionAngle_rad);
+        if (!x || end_distance(segments[i], *x) > kJunctionRadius_px) continue;
         const double gap_px = end_distance(segments[i], *x) + distance(segments[k], *x);
-        if (distance(segments[k], *x) > radius) continue;
+        if (distance(segments[k], *x) > kJunctionRadius_px) continue;
         if (!seen.insert(std::minmax(i, k)).second) continue;
         crossings.push_back(
             {*x, static_cast<int>(std::min(i, k)), static_cast<int>(std::max(i, k)), gap_px});
@@ -89,11 +91,9 @@ Structure structure_of(const std::vector<Crossing>& crossings, std::span<const S
 
 }  // namespace
 
-std::vector<Structure> linear_structures(std::span<const Segment2> segments,
-                                         const ChioOptions& options) {
+std::vector<Structure> linear_structures(std::span<const Segment2> segments) {
   std::vector<Structure> structures;
-  for (const std::vector<Crossing>& group :
-       grouped(crossings_of(segments, options), options.junction_radius_px)) {
+  for (const std::vector<Crossing>& group : grouped(crossings_of(segments), kJunctionRadius_px)) {
     structures.push_back(structure_of(group, segments));
   }
   std::ranges::stable_sort(structures, {}, [](const Structure& s) {

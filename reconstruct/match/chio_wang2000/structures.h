@@ -2,7 +2,6 @@
 #pragma once
 
 #include "reconstruct/geometry/segment.h"
-#include "reconstruct/match/chio_wang2000/options.h"
 
 #include <Eigen/Core>
 
@@ -21,11 +20,9 @@ struct Structure {
 
 /// The structures of an image, strongest first: most members, then greatest length, then best
 /// precision (the paper calls its weighting simple and does not give it; this one is ours). Two
-/// segments meet where their lines do, at min_junction_angle_deg or more, within
-/// junction_radius_px of an end of one and of the other segment (L and T); meetings within that
-/// radius of each other are one junction.
-std::vector<Structure> linear_structures(std::span<const Segment2> segments,
-                                         const ChioOptions& options);
+/// segments meet where their lines do, at 20 degrees or more, within 5 px of an end of
+/// one and of the other segment (L and T); meetings within 5 px of each other are one junction.
+std::vector<Structure> linear_structures(std::span<const Segment2> segments);
 
 /// The indices of the structures of each segment, ascending.
 std::vector<std::vector<int>> structures_of_segments(std::span<const Structure> structures,

@@ -12,7 +12,12 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kGrowth = 1.5;  // factor of the radius per step
+// Ok et al. 2011, section 2, give no numbers; these are ours.
+constexpr double kFirstRadius_px = 30.0;
+constexpr double kMaxRadius_px = 150.0;
+constexpr double kGrowth = 1.5;   // factor of the radius per step
+constexpr int kMinPartners = 3;   // the radius grows until a segment has them
+constexpr int kMaxPartners = 15;  // the nearest are kept
 
 struct Partner {
   double reach_px;  ///< smallest radius at which the pair is admitted
@@ -23,15 +28,15 @@ struct Partner {
 std::vector<Partner> partners_within(double radius_px,
                                      std::size_t segment,
                                      std::span<const Segment2> segments,
-                                     const BoxIndex2& index,
-                                     double min_angle_rad) {
+                                     const BoxIndex2& index) {
   const Segment2& own = segments[segment];
   std::vector<Partner> partners;
   for (const std::size_t other : index.near(own, radius_px)) {
     if (other == segment) continue;
     const Segment2& mate = segments[other];
     if (distance(own, mate) > radius_px) continue;
-    const std::optional<Eigen::Vector2d> x = intersection(own, mate, min_angle_rad);
+    const std::optional<Eigen::Vector2d> x =
+        intersection(own, mate, kMinPairAngle_deg * kRadPerDeg);
     if (!x) continue;
     const double reach_px = std::max(distance(own, *x), distance(mate, *x));
     if (reach_px <= radius_px) partners.push_back({reach_px, static_cast<int>(other)});
@@ -43,31 +48,25 @@ std::vector<Partner> partners_within(double radius_px,
 
 std::vector<Partner> partners_of(std::size_t segment,
                                  std::span<const Segment2> segments,
-                                 const BoxIndex2& index,
-                                 const MatchOptions& options) {
-  const double min_angle_rad = options.min_pair_angle_deg * kRadPerDeg;
-  double radius_px = options.first_pair_radius_px;
+                                 const BoxIndex2& index) {
+  double radius_px = kFirstRadius_px;
   while (true) {
-    std::vector<Partner> partners =
-        partners_within(radius_px, segment, segments, index, min_angle_rad);
-    if (static_cast<int>(partners.size()) >= options.min_partners ||
-        radius_px >= options.max_pair_radius_px) {
-      if (static_cast<int>(partners.size()) > options.max_partners) {
-        partners.resize(options.max_partners);
-      }
+    std::vector<Partner> partners = partners_within(radius_px, segment, segments, index);
+    if (static_cast<int>(partners.size()) >= kMinPartners || radius_px >= kMaxRadius_px) {
+      if (static_cast<int>(partners.size()) > kMaxPartners) partners.resize(kMaxPartners);
       return partners;
     }
-    radius_px = std::min(kGrowth * radius_px, options.max_pair_radius_px);
+    radius_px = std::min(kGrowth * radius_px, kMaxRadius_px);
   }
 }
 
 }  // namespace
 
-std::vector<BasePair> base_pairs(std::span<const Segment2> segments, const MatchOptions& options) {
+std::vector<BasePair> base_pairs(std::span<const Segment2> segments) {
   const BoxIndex2 index(segments);
   std::vector<std::vector<Partner>> partners(segments.size());
   tbb::parallel_for(std::size_t{0}, segments.size(),
-                    [&](std::size_t i) { partners[i] = partners_of(i, segments, index, options); });
+                    [&](std::size_t i) { partners[i] = partners_of(i, segments, index); });
   std::vector<BasePair> pairs;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     for (const Partner& partner : partners[i]) {

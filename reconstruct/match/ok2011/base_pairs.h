@@ -2,12 +2,14 @@
 #pragma once
 
 #include "reconstruct/geometry/segment.h"
-#include "reconstruct/match/ok2011/options.h"
 
 #include <span>
 #include <vector>
 
 namespace ridgeline::reconstruct {
+
+/// Smallest enclosed angle of a pair, as in the t-term of Ok et al. 2011, Eq. 6.
+inline constexpr double kMinPairAngle_deg = 10.0;
 
 /// Two segments of one image that may meet in object space; first < second.
 struct BasePair {
@@ -18,10 +20,10 @@ struct BasePair {
 };
 
 /// The reference pairs of an image (Ok et al. 2011, section 2), in ascending order. The acute angle
-/// of a pair is above min_pair_angle_deg. The distance of its segments and the distances of their
+/// of a pair is above kMinPairAngle_deg. The distance of its segments and the distances of their
 /// intersection from both are within a radius. The radius grows per segment until it has
-/// min_partners, so that isolated lines find some. If there are more than max_partners, the nearest
-/// are kept. A pair that either member keeps is kept.
-std::vector<BasePair> base_pairs(std::span<const Segment2> segments, const MatchOptions& options);
+/// three partners, so that isolated lines find some. If there are more than 15, the nearest are
+/// kept. A pair that either member keeps is kept.
+std::vector<BasePair> base_pairs(std::span<const Segment2> segments);
 
 }  // namespace ridgeline::reconstruct

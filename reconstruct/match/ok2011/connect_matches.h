@@ -2,7 +2,6 @@
 #pragma once
 
 #include "reconstruct/geometry/correspondence.h"
-#include "reconstruct/match/ok2011/options.h"
 #include "reconstruct/scene/scene.h"
 
 #include <span>
@@ -12,13 +11,11 @@ namespace ridgeline::reconstruct {
 
 /// The pair connections of matched lines, in ascending order (i < k). They are base pairs of the
 /// left image whose mates form a pair in the right one, with the same enclosed angle within
-/// max_pair_turn_deg, times relief_spread(), and intersection points within max_pair_epipolar_px of
+/// kMaxPairTurn_deg, times relief_spread(), and intersection points within kMaxPairEpipolar_px of
 /// each other's epipolar lines. Only the geometry of the matches is used, so that matches of any
 /// origin can be connected. Fragments that share a mate are not connected with each other.
-/// `matches` index into the segments. Throws std::invalid_argument for an index out of range or
-/// options out of range.
+/// `matches` index into the segments. Throws std::invalid_argument for an index out of range.
 std::vector<PairConnection> connect_matches(const StereoPair& pair,
-                                            std::span<const Correspondence> matches,
-                                            const MatchOptions& options = {});
+                                            std::span<const Correspondence> matches);
 
 }  // namespace ridgeline::reconstruct

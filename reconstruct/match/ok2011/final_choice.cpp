@@ -7,6 +7,11 @@
 namespace ridgeline::reconstruct {
 namespace {
 
+/// Largest ratio of the probabilities of the next and the best mate; ours.
+constexpr double kMaxDistanceRatio = 0.8;
+/// Least probability of a match without matched partners, where only its look tells; ours.
+constexpr double kMinIsolatedProbability = 0.98;
+
 /// A candidate by left segment and rank.
 struct Choice {
   int left;
@@ -87,7 +92,7 @@ std::vector<int> voters(const MatchChoices& choices,
 bool lacks_votes(const Support& support, int n_voters, const MatchOptions& options) {
   constexpr int kIsolated = 1;
   if (support.votes >= options.min_votes) return false;
-  return n_voters > kIsolated || support.probability < options.min_isolated_probability;
+  return n_voters > kIsolated || support.probability < kMinIsolatedProbability;
 }
 
 /// The outcome of a left segment before the other left segments are considered.
@@ -103,7 +108,7 @@ MatchOutcome prospect(const MatchChoices& choices,
   const std::size_t first = best_of(supports);
   const Support& best = supports[first];
   const Segment2& mate = choices.mate(candidates[first]);
-  if (best.probability > kWeak && distance_ratio(choices, i, of_all) > options.max_distance_ratio) {
+  if (best.probability > kWeak && distance_ratio(choices, i, of_all) > kMaxDistanceRatio) {
     return MatchOutcome::kAmbiguous;
   }
   if (lacks_votes(best, n_voters, options)) return MatchOutcome::kNoPair;

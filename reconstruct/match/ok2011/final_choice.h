@@ -10,8 +10,8 @@
 namespace ridgeline::reconstruct {
 
 /// The last step of the matching. Left segments take their most probable mate, in order of
-/// probability. The mate must reach min_probability, the next mate must not come closer than
-/// max_distance_ratio, and no other edge may have taken the mate. (Other left segments that want
+/// probability. The mate must reach min_probability, the next mate must stay
+/// below 0.8 of that, and no other edge may have taken the mate. (Other left segments that want
 /// the mate are rivals in the probability already. The same ratio for them as well was tried; it
 /// lost more right matches than wrong ones.) A mate may serve several fragments of one left edge,
 /// and a left segment may have several fragments of one right edge as mates, each with a part of

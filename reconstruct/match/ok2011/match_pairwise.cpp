@@ -38,11 +38,10 @@ MatchResult match_pairwise(const StereoPair& pair,
   if (beyond.candidates) beyond.candidates(views, radiometry, candidates);
   const LocalTransfer transfer =
       local_transfer(search, {0.5 * left.image.cols, 0.5 * left.image.rows});
-  const std::vector<BasePair> pairs = base_pairs(ideal_segments(left), options);
+  const std::vector<BasePair> pairs = base_pairs(ideal_segments(left));
   const PairScene scene{views,
                         {ImageSampler(left.image), ImageSampler(right.image), radiometry},
                         candidates,
-                        options,
                         relief_spread(transfer)};
   const std::vector<PairMatch> pair_matches = all_pair_matches(scene, pairs);
   const MatchChoices choices{left, right, candidates};

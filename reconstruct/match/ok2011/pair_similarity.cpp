@@ -110,13 +110,12 @@ EpipolarMisfit epipolar_misfit(const PairScene& scene,
 std::optional<Constraints> constraints_of(const PairScene& scene,
                                           const EdgePair& a,
                                           const EdgePair& b) {
-  const MatchOptions& options = scene.options;
-  const double min_angle_rad = options.min_pair_angle_deg * kRadPerDeg;
-  const auto x_left = intersection(a.left.line.segment, b.left.line.segment, min_angle_rad);
-  const auto x_right = intersection(a.right.line.segment, b.right.line.segment, min_angle_rad);
+  constexpr double kMinAngle_rad = kMinPairAngle_deg * kRadPerDeg;
+  const auto x_left = intersection(a.left.line.segment, b.left.line.segment, kMinAngle_rad);
+  const auto x_right = intersection(a.right.line.segment, b.right.line.segment, kMinAngle_rad);
   if (!x_left || !x_right) return std::nullopt;
   const EpipolarMisfit misfit = epipolar_misfit(scene, a, b, *x_left, *x_right);
-  if (misfit.distance_px > options.max_pair_epipolar_px) return std::nullopt;
+  if (misfit.distance_px > kMaxPairEpipolar_px) return std::nullopt;
   const Clipped pair = clip(a, b, false);
   const bool ends_correspond = !a.overlap.aligned && !b.overlap.aligned;
   const PairShape left{pair.left[0], pair.left[1], *x_left, ends_correspond};
@@ -124,7 +123,7 @@ std::optional<Constraints> constraints_of(const PairScene& scene,
   const double turn_deg = std::abs(acute_angle_rad(left.first, left.second) -
                                    acute_angle_rad(right.first, right.second)) /
                           kRadPerDeg;
-  if (turn_deg > scene.spread * options.max_pair_turn_deg) return std::nullopt;
+  if (turn_deg > scene.spread * kMaxPairTurn_deg) return std::nullopt;
   const Radiometry& radiometry = scene.images.radiometry;
   Constraints found;
   found[0] = epipolar_similarity(misfit.distance_px, misfit.sigma_px);

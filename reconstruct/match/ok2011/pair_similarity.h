@@ -31,12 +31,17 @@ struct PairMatch {
   Constraints constraints;
 };
 
+/// Gates of a pair match; ours, as Ok et al. 2011, section 2, give no numbers. The largest
+/// difference of the enclosed angle holds up to a base to height ratio of 0.26, see
+/// relief_spread().
+inline constexpr double kMaxPairTurn_deg = 15.0;
+inline constexpr double kMaxPairEpipolar_px = 5.0;
+
 /// A stereo pair as the pair-wise constraints see it.
 struct PairScene {
   const SearchedPair& views;
   ImagePair images;
   const Candidates& candidates;
-  const MatchOptions& options;
   /// Multiplies the spreads of the geometric constraints and the largest turn.
   double spread = 1.0;
 };

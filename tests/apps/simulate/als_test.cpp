@@ -236,6 +236,7 @@ TEST(ScanAls, RejectsOptionsOutsideTheirRange) {
   rejects([](AlsOptions& o) { o.strip_overlap = 1.0; });
   rejects([](AlsOptions& o) { o.range_sigma_m = -0.1; });
   rejects([](AlsOptions& o) { o.cross_sigma_m = std::nan(""); });
+  rejects([](AlsOptions& o) { o.footprint_m = -0.1; });
   rejects([](AlsOptions& o) { o.max_returns = 0; });
   rejects([](AlsOptions& o) { o.outlier_share = 1.5; });
   rejects([](AlsOptions& o) { o.withheld_share = -1.0; });

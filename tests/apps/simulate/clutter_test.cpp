@@ -197,6 +197,14 @@ TEST(Clutter, AnObjectHasNoTrueDistance) {
   FAIL() << "no object";
 }
 
+TEST(Clutter, HasLinesOfObjectsIfTheyAreAskedFor) {
+  VillageOptions options;
+  set_clutter(options);
+  EXPECT_FALSE(lines_of(make_village(options), LineKind::kObject).empty());
+  options.with_objects = false;
+  EXPECT_TRUE(lines_of(make_village(options), LineKind::kObject).empty());
+}
+
 std::size_t parts_of_all(const Scene& scene) {
   std::size_t n = 0;
   for (const SceneBuilding& building : scene.buildings) n += building.footprint.size();

@@ -84,7 +84,7 @@ TEST(VisibleRuns, EndAtAnOccludingBody) {
   const std::vector<AerialView> views = aerial_views(scene, flight);
   const SurfaceOracle oracle(scene, views);
   const Segment3 edge{{8, 8, 0.5}, {12, 8, 0.5}};
-  const auto runs = visible_runs(oracle, kLeft, edge, {});
+  const auto runs = visible_runs(oracle, kLeft, edge);
   ASSERT_EQ(runs.size(), 2U);
   // the camera 94 m to the left and 800 m up looks under the strip from x + 5.5 * 94 / 794
   const double shift_m = (9.0 - views[0].centre_in_local.x()) * 5.5 / 794.0;
@@ -101,8 +101,8 @@ TEST(VisibleRuns, AreEmptyWhereBothSidesAreOneSurface) {
                 {kNone, kNone, Material::kStreet}, scene.mesh);
   }
   const SurfaceOracle oracle(scene, aerial_views(scene, {}));
-  EXPECT_TRUE(visible_runs(oracle, kLeft, {{10, 5, 0}, {10, 15, 0}}, {}).empty());
-  EXPECT_EQ(visible_runs(oracle, kLeft, {{4, 5, 0}, {4, 15, 0}}, {}).size(), 1U);
+  EXPECT_TRUE(visible_runs(oracle, kLeft, {{10, 5, 0}, {10, 15, 0}}).empty());
+  EXPECT_EQ(visible_runs(oracle, kLeft, {{4, 5, 0}, {4, 15, 0}}).size(), 1U);
 }
 
 TEST(ReferenceMatches, HoldTheRoofOfAHouse) {

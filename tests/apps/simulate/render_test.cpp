@@ -121,11 +121,11 @@ TEST(Radiance, ShadowEndsWhereTheSunSaysAndHoldsTheLightOfTheSkyOnly) {
   };
   const double lit = at(5.0, 15.0);
   const double dark = at(10.0, 12.5);
-  // level ground: sun sin(e) (1 + backscatter term) against sky_share sin(e) 0.75
+  // level ground: sun sin(e) (1 + backscatter term) against kSkyShare sin(e) 0.75
   const double along = -view.ray(project(view.image_from_local, Eigen::Vector3d(10, 12.5, 0)))
                             .dot(sun_direction(options));
   const double sun = 1.0 + options.backscatter * (along - 0.7);
-  const double sky = options.sky_share * 0.75;
+  const double sky = kSkyShare * 0.75;
   EXPECT_NEAR(dark / lit, sky / (sun + sky), 2e-3);
   constexpr double kBesideM = 0.2;  // 2.5 px, beyond the blur
   EXPECT_NEAR(at(10.0, tip_y - kBesideM), dark, 0.02 * lit);

@@ -349,6 +349,7 @@ TEST(MakeVillage, RejectsOptionsOutsideTheirRange) {
   rejects([](VillageOptions& o) { o.origin_m.x() = 0.5; });
   rejects([](VillageOptions& o) { o.aligned_share = 1.1; });
   rejects([](VillageOptions& o) { o.built_share = -0.1; });
+  rejects([](VillageOptions& o) { o.fence_share = 1.5; });
   rejects([](VillageOptions& o) { o.terrain_slope_deg = 16.0; });
   rejects([](VillageOptions& o) { o.terrace_step_m = -1.0; });
   rejects([](VillageOptions& o) { o.min_pitch_deg = 9.0; });

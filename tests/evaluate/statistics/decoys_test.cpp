@@ -138,21 +138,21 @@ std::multiset<std::string> places_of(const std::vector<Decoy>& decoys) {
 
 TEST(MakeDecoys, DoNotDependOnIdsAndOrder) {
   std::vector<JudgedLine> lines = random_lines(600);
-  const std::multiset<std::string> first = places_of(make_decoys(lines, 250, {}));
-  const std::multiset<std::string> far = places_of(move_elsewhere(lines, {}));
+  const std::multiset<std::string> first = places_of(make_decoys(lines, 250));
+  const std::multiset<std::string> far = places_of(move_elsewhere(lines));
   std::ranges::reverse(lines);
   for (JudgedLine& line : lines) {
     line.id += " renamed";
     std::swap(line.segment.start, line.segment.end);
   }
-  EXPECT_EQ(places_of(make_decoys(lines, 250, {})), first);
-  EXPECT_EQ(places_of(move_elsewhere(lines, {})), far);
+  EXPECT_EQ(places_of(make_decoys(lines, 250)), first);
+  EXPECT_EQ(places_of(move_elsewhere(lines)), far);
 }
 
 TEST(MakeDecoys, AreSpreadOverKindsAndDistances) {
   const std::vector<JudgedLine> lines = random_lines(4000);
   std::map<std::pair<DecoyKind, double>, int> n;
-  const std::vector<Decoy> decoys = make_decoys(lines, default_n_decoys(lines.size()), {});
+  const std::vector<Decoy> decoys = make_decoys(lines, default_n_decoys(lines.size()));
   EXPECT_EQ(decoys.size(), 2000U);
   for (const Decoy& d : decoys) ++n[{d.kind, d.distance_m}];
   EXPECT_EQ(n.size(), 8U);  // no line has images
@@ -162,21 +162,21 @@ TEST(MakeDecoys, AreSpreadOverKindsAndDistances) {
 
 TEST(MakeDecoys, MoveFewLinesInSeveralWays) {
   const std::vector<JudgedLine> lines = random_lines(100);
-  EXPECT_EQ(make_decoys(lines, 500, {}).size(), 500U);  // five ways each
-  EXPECT_EQ(make_decoys(lines, 250, {}).size(), 250U);  // half of them two ways, half three
-  const std::vector<Decoy> of_few = make_decoys(std::span(lines).first(3), 200, {});
+  EXPECT_EQ(make_decoys(lines, 500).size(), 500U);  // five ways each
+  EXPECT_EQ(make_decoys(lines, 250).size(), 250U);  // half of them two ways, half three
+  const std::vector<Decoy> of_few = make_decoys(std::span(lines).first(3), 200);
   EXPECT_EQ(of_few.size(), 48U);  // three lines in every way, 2 kinds x 4 distances x 2 senses
   std::set<std::string> ids;
   for (const Decoy& d : of_few) ids.insert(d.line.id);
   EXPECT_EQ(ids.size(), of_few.size());
-  EXPECT_TRUE(make_decoys(lines, 0, {}).empty());
+  EXPECT_TRUE(make_decoys(lines, 0).empty());
 }
 
 TEST(MakeDecoys, LeaveOutLinesThatCannotBeJudgedAndCopies) {
   std::vector<JudgedLine> lines = random_lines(3);
   lines[1].segment = lines[0].segment;
   lines[2].reconstructed = false;
-  for (const Decoy& d : make_decoys(lines, 200, {})) EXPECT_EQ(d.parent, 0U);
+  for (const Decoy& d : make_decoys(lines, 200)) EXPECT_EQ(d.parent, 0U);
 }
 
 TEST(DefaultNDecoys, AreHalfWithinLimits) {
@@ -189,7 +189,7 @@ TEST(MoveElsewhere, MovesInPlanWithTheCamerasAndStaysAmongTheLines) {
   std::vector<JudgedLine> lines = random_lines(50);
   lines.push_back(seen_line());
   bool has_moved_seen = false;
-  for (const Decoy& d : move_elsewhere(lines, {})) {
+  for (const Decoy& d : move_elsewhere(lines)) {
     const Segment3& before = lines[d.parent].segment;
     const Eigen::Vector3d by = d.line.segment.start - before.start;
     EXPECT_NEAR(by.norm(), d.distance_m, kMovedTol);
@@ -207,8 +207,8 @@ TEST(MoveElsewhere, MovesInPlanWithTheCamerasAndStaysAmongTheLines) {
 }
 
 TEST(MoveElsewhere, LeavesALineThatHasNowhereToGo) {
-  EXPECT_TRUE(move_elsewhere(std::vector{seen_line()}, {}).empty());
-  EXPECT_TRUE(move_elsewhere({}, {}).empty());
+  EXPECT_TRUE(move_elsewhere(std::vector{seen_line()}).empty());
+  EXPECT_TRUE(move_elsewhere({}).empty());
 }
 
 }  // namespace

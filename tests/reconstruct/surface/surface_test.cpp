@@ -82,10 +82,10 @@ TEST(DenseSurface, IsAsGoodForTurnedViews) {
 
 TEST(DenseSurface, IsTheSameForAnyNumberOfThreads) {
   const test::OwnedPair pair = scene().pair();
-  const SurfaceOptions small{.tile_px = 128};
-  const auto many = dense_surface(pair, small);
+  constexpr int kTile_px = 128;
+  const auto many = dense_surface(pair, kTile_px);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  const auto single = dense_surface(pair, small);
+  const auto single = dense_surface(pair, kTile_px);
   ASSERT_TRUE(many && single);
   ASSERT_EQ(many->disparity_px.size(), single->disparity_px.size());
   EXPECT_EQ(std::memcmp(many->disparity_px.data, single->disparity_px.data,
@@ -98,7 +98,7 @@ TEST(DenseSurface, HardlyDependsOnTheTiles) {
   roofs.size_px = 500;
   const test::OwnedPair pair = roofs.pair();
   const auto whole = dense_surface(pair);
-  const auto tiles = dense_surface(pair, {.tile_px = 256});
+  const auto tiles = dense_surface(pair, 256);
   ASSERT_TRUE(whole && tiles);
   std::size_t n = 0;
   std::size_t n_apart = 0;

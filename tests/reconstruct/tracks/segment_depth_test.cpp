@@ -100,8 +100,7 @@ TEST(ProposeTrack, AViewThatShouldShowTheLineAndDoesNotLowersTheOdds) {
   const auto with_outside = proposed(outside, {0, 0});
   ASSERT_TRUE(with_hidden && with_outside);
   constexpr double kOdds = 1e-9;  // rounding of a sum of logarithms
-  EXPECT_NEAR(with_hidden->log_odds,
-              with_outside->log_odds + std::log(1.0 - TrackOptions{}.seen_share), kOdds);
+  EXPECT_NEAR(with_hidden->log_odds, with_outside->log_odds + std::log(1.0 - kSeenShare), kOdds);
 }
 
 TEST(ProposeTrack, LeavesOutTheSegmentThatAllOtherViewsContradict) {
@@ -136,7 +135,7 @@ TEST(ProposeTrack, ParallelSegmentsBesideTheLineLowerTheOddsByTheirDensity) {
   const auto among_two = proposed(crowded, {0, 0});
   ASSERT_TRUE(among_none && among_two);
   EXPECT_EQ(among_none->observations, among_two->observations);
-  constexpr double kLess = 0.1;  // the share 1 - seen_share = 0.3 beside odds of 3 and more
+  constexpr double kLess = 0.1;  // the share 1 - kSeenShare = 0.3 beside odds of 3 and more
   EXPECT_NEAR(among_none->log_odds - among_two->log_odds, std::log(3.5 / 1.5), kLess);
 }
 

@@ -218,7 +218,7 @@ TEST(TracksOf, OfLinesInDisorderHasEachSegmentOnce) {
 
 TEST(TracksOf, RejectsOptionsOutOfRange) {
   TrackOptions options;
-  options.seen_share = 1.0;
+  options.sigma_edge_px = 0.0;
   EXPECT_THROW(tracks_of(aligned_lines().scene, {}, {}, options), std::invalid_argument);
 }
 

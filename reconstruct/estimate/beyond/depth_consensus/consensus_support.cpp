@@ -91,7 +91,7 @@ LineSupport support_of(const TrackEvidence& evidence,
     const auto x = evidence.track.places_of(evidence.points[i]);
     ranked.parameter = parameter_along(support.track.base().segment, x[0]);
   }
-  support.points = best_of_regions(agreeing, options.lines);
+  support.points = best_of_regions(agreeing);
   if (part.horizontal) support.sigma_slope = options.building.sigma_slope;
   support.points_fix_direction = fix_direction(support.points);
   if (surface != nullptr && add_surface_points(evidence.track, *surface, part, support))
@@ -101,7 +101,7 @@ LineSupport support_of(const TrackEvidence& evidence,
     if (i < evidence.points.size()) continue;
     const std::size_t end = i - evidence.points.size();
     support.ends.push_back(evidence.ends[end]);
-    support.sigma_ends_px = options.consensus.sigma_end_px;
+    support.sigma_ends_px = kSigmaOfEnds_px;
     support.ends_in_images.push_back(evidence.track.ends(evidence.which_ends[end]));
   }
   const bool is_cut = part.from || part.to;
@@ -118,7 +118,7 @@ std::vector<LineSupport> lines_by_consensus(const AlignedTrack& track,
                                             std::span<const double> heights_nearby,
                                             const Surface* surface,
                                             const EstimationOptions& options) {
-  const TrackEvidence evidence = evidence_of(track, neighbours, options);
+  const TrackEvidence evidence = evidence_of(track, neighbours);
   std::optional<SurfaceDepth> depth;
   if (surface != nullptr) depth.emplace(*surface, track.lines, track.line);
   const auto consensus =

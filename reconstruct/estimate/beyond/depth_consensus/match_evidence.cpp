@@ -12,7 +12,8 @@ namespace {
 constexpr double kMaxPointPrior = 0.7;
 /// The probability that the ends of both segments show the same point.
 constexpr double kEndPrior = 0.75;
-constexpr double kMinCutWeight = 0.3;  // least weight W of a point where a track may be cut
+constexpr double kMinCutLength_px = 7.0;  // of each part of a match that is cut (calibration.md)
+constexpr double kMinCutWeight = 0.3;     // least weight W of a point where a track may be cut
 
 /// The end of a segment as an uncertain point. Its sigma along the line is sigma_end; across the
 /// line it is that of the line.
@@ -58,12 +59,12 @@ DepthEvidence evidence_of(const UncertainPoint3& point, double parameter, double
 
 /// Whether the track may be cut where it meets another one. The meeting must have enough weight,
 /// and both parts must be long enough in both images.
-bool may_cut(const AlignedTrack& track, const CandidatePoint& at, const ConsensusOptions& options) {
+bool may_cut(const AlignedTrack& track, const CandidatePoint& at) {
   if (at.ranked.weight < kMinCutWeight) return false;
   const auto x = track.places_of(at);
   for (std::size_t j = 0; j < 2; ++j) {
-    const double shortest = options.min_cut_length_px /
-                            track.lines.frames.of(track.line.observations[j]).image.scale_px;
+    const double shortest =
+        kMinCutLength_px / track.lines.frames.of(track.line.observations[j]).image.scale_px;
     const Segment2& segment = track.line.observations[j].segment;
     const double to_end = std::min((x[j] - segment.start).norm(), (x[j] - segment.end).norm());
     if (!(distance(segment, x[j]) < 1e-9 && to_end >= shortest)) return false;
@@ -101,23 +102,19 @@ std::optional<UncertainPoint3> point_in_object(const AlignedTrack& track,
   return estimated->point;
 }
 
-TrackEvidence evidence_of(const AlignedTrack& track,
-                          std::span<const int> neighbours,
-                          const EstimationOptions& options) {
+TrackEvidence evidence_of(const AlignedTrack& track, std::span<const int> neighbours) {
   TrackEvidence evidence{track, {}, {}, {}, {}};
-  for (const CandidatePoint& c :
-       candidate_points(track.lines, track.line, neighbours, options.lines)) {
-    if (!(c.ranked.weight > options.lines.min_weight)) continue;
+  for (const CandidatePoint& c : candidate_points(track.lines, track.line, neighbours)) {
+    if (!(c.ranked.weight > kMinWeight)) continue;
     evidence.points.push_back(c);
     DepthEvidence e =
         evidence_of(c.estimated.point, c.ranked.parameter, kMaxPointPrior * c.ranked.weight);
     e.meeting = c.ranked.weight;
-    e.may_cut = may_cut(track, c, options.consensus);
+    e.may_cut = may_cut(track, c);
     evidence.on_depth.push_back(e);
   }
   for (const int which : {0, 1}) {
-    if (const auto end =
-            point_in_object(track, track.ends(which), options.consensus.sigma_end_px)) {
+    if (const auto end = point_in_object(track, track.ends(which), kSigmaOfEnds_px)) {
       evidence.ends.push_back(*end);
       evidence.which_ends.push_back(which);
       evidence.on_depth.push_back(evidence_of(*end, which, kEndPrior));

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "reconstruct/estimate/beyond/depth_consensus/depth_evidence.h"
-#include "reconstruct/estimate/beyond/options.h"
 #include "reconstruct/estimate/ok2011/candidate_points.h"
 
 #include <array>
@@ -11,6 +10,9 @@
 #include <vector>
 
 namespace ridgeline::reconstruct {
+
+/// Sigma along the line of segment ends that show the same point (calibration.md).
+inline constexpr double kSigmaOfEnds_px = 1.0;
 
 /// An aligned track in the frames of the estimation. Base and other segment determine its depth. It
 /// borrows what it is made of.
@@ -39,9 +41,7 @@ struct TrackEvidence {
   std::vector<DepthEvidence> on_depth;  ///< the evidence of the points, then that of the ends
 };
 
-TrackEvidence evidence_of(const AlignedTrack& track,
-                          std::span<const int> neighbours,
-                          const EstimationOptions& options);
+TrackEvidence evidence_of(const AlignedTrack& track, std::span<const int> neighbours);
 
 /// The point in object space that both views show, by its place on the segment of each. The result
 /// is empty if there is no such point in front of the cameras and within the range of heights.

@@ -84,7 +84,6 @@ std::optional<int> closest_part(const Members& members,
 std::vector<Meeting> meetings_of(const TrackedLines& lines,
                                  std::span<const PairConnection> connections,
                                  const Members& members,
-                                 const ReconstructOptions& options,
                                  double sigma_meeting_m) {
   std::set<std::pair<int, int>> pairs;  // smaller index first, each pair once
   for (const PairConnection& c : connections) pairs.insert(std::minmax(c.i, c.k));
@@ -92,7 +91,7 @@ std::vector<Meeting> meetings_of(const TrackedLines& lines,
   for (const auto& [i, k] : pairs) {
     const auto a = static_cast<std::size_t>(i);
     const auto b = static_cast<std::size_t>(k);
-    if (!(pair_weight(lines, lines.lines[a], k, options) > options.min_weight)) continue;
+    if (!(pair_weight(lines, lines.lines[a], k) > kMinWeight)) continue;
     const auto first = closest_part(members, a, lines.lines[b]);
     const auto second = closest_part(members, b, lines.lines[a]);
     if (!first || !second) continue;
@@ -132,7 +131,7 @@ void adjust_together(const TrackedLines& lines,
                      std::vector<std::vector<JointLine>>& by_track) {
   const Members members = members_of(lines, by_track);
   const std::vector<Meeting> meetings =
-      meetings_of(lines, connections, members, options.lines, options.building.sigma_meeting_m);
+      meetings_of(lines, connections, members, options.building.sigma_meeting_m);
   const std::vector<AdjustedInNetwork> adjusted = adjust_network(
       lines.frames, members.lines, meetings, lines.height_range_in_local_m, options.building);
   for (std::size_t i = 0; i < adjusted.size(); ++i) {

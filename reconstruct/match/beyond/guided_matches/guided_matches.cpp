@@ -20,6 +20,8 @@ namespace {
 
 // Least length of a guide, because shorter ones are often texture.
 constexpr double kMinGuideLength_px = 15.0;
+/// Least similarity of a match by its look (calibration.md).
+constexpr double kMinGuidedSimilarity = 0.8;
 
 /// A step that may be the mate of a segment of the other view.
 struct FoundStep {
@@ -147,7 +149,7 @@ GuidedMatches guided_matches(const StereoPair& pair,
     std::vector<Segment2> taken;
     std::vector<EdgeSegment>& mates = result.mates[1 - from];
     for (FoundStep& step : steps) {
-      if (step.similarity < options.min_similarity) break;
+      if (step.similarity < kMinGuidedSimilarity) break;
       if (is_matched[step.guide] != 0 ||
           is_covered(step.mate.line.segment, BoxIndex2(taken), taken)) {
         continue;

@@ -24,7 +24,6 @@ struct GuidedMatches {
 struct GuideOptions {
   ExtractOptions edges;         ///< the uncertainty of a mate is stated as these say
   CandidateOptions candidates;  ///< which segments may be mates
-  double min_similarity = 0.8;  ///< least similarity of a match by its look
 };
 
 /// Looks for the mates of unmatched segments of either view in the other view, where the surfaces

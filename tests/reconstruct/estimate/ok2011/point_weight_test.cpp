@@ -14,10 +14,9 @@ namespace {
 using test::kDegree;
 
 constexpr double kTol = 1e-12;
-const ReconstructOptions kDefaults;
 
 double weight(double distance_px, double epipolar_distance_px, double angle_deg = 45.0) {
-  return point_weight({distance_px, epipolar_distance_px, angle_deg * kDegree}, kDefaults);
+  return point_weight({distance_px, epipolar_distance_px, angle_deg * kDegree});
 }
 
 TEST(PointWeight, IsEquation6) {
@@ -32,7 +31,7 @@ TEST(PointWeight, IsZeroForANarrowIntersection) {
   EXPECT_EQ(weight(0, 0, 5.0), 0.0);
   EXPECT_EQ(weight(0, 0, 10.0 - 1e-9), 0.0);
   EXPECT_GT(weight(0, 0, 10.0 + 1e-9), 0.0);
-  EXPECT_EQ(point_weight({0, 0, std::nan("")}, kDefaults), 0.0);
+  EXPECT_EQ(point_weight({0, 0, std::nan("")}), 0.0);
 }
 
 TEST(SmallerOfEach, TakesEachMeasureFromTheImageWhereItIsSmaller) {
@@ -58,15 +57,15 @@ TEST(SelectPoints, TakesTheBestOfEachRegion) {
   const std::vector<RankedPoint> points{{.parameter = 0.9, .weight = 0.9, .neighbour = 1},
                                         {.parameter = 1.0, .weight = 0.8, .neighbour = 2},
                                         {.parameter = -0.2, .weight = 0.1, .neighbour = 3}};
-  EXPECT_EQ(select_points(points, kDefaults), (std::vector<std::size_t>{2, 0}));
+  EXPECT_EQ(select_points(points), (std::vector<std::size_t>{2, 0}));
 }
 
 TEST(SelectPoints, DiscardsWeightsUpToTheThreshold) {
   const std::vector<RankedPoint> points{{.parameter = 0.1, .weight = 0.01},
                                         {.parameter = 0.5, .weight = 0.0100001},
                                         {.parameter = 0.9, .weight = 0.0}};
-  EXPECT_EQ(select_points(points, kDefaults), (std::vector<std::size_t>{1}));
-  EXPECT_TRUE(select_points({}, kDefaults).empty());
+  EXPECT_EQ(select_points(points), (std::vector<std::size_t>{1}));
+  EXPECT_TRUE(select_points({}).empty());
 }
 
 TEST(SelectPoints, BreaksTiesByOmegaThenByNeighbour) {
@@ -74,15 +73,15 @@ TEST(SelectPoints, BreaksTiesByOmegaThenByNeighbour) {
       {.parameter = 0.5, .weight = 0.5, .omega = 2.0, .neighbour = 1},
       {.parameter = 0.5, .weight = 0.5, .omega = 1.0, .neighbour = 9},
       {.parameter = 0.5, .weight = 0.5, .omega = 1.0, .neighbour = 4}};
-  EXPECT_EQ(select_points(points, kDefaults), (std::vector<std::size_t>{2}));
+  EXPECT_EQ(select_points(points), (std::vector<std::size_t>{2}));
 }
 
 TEST(SelectPoints, ThresholdIsTheDistanceStatedForIt) {
   // W = 0.01 at d = 10 ln 100 = 46.1 px on the epipolar line, or 4 ln 100 = 18.4 px off it
-  EXPECT_GT(weight(46.0, 0), kDefaults.min_weight);
-  EXPECT_LT(weight(46.1, 0), kDefaults.min_weight);
-  EXPECT_GT(weight(0, 18.4), kDefaults.min_weight);
-  EXPECT_LT(weight(0, 18.5), kDefaults.min_weight);
+  EXPECT_GT(weight(46.0, 0), kMinWeight);
+  EXPECT_LT(weight(46.1, 0), kMinWeight);
+  EXPECT_GT(weight(0, 18.4), kMinWeight);
+  EXPECT_LT(weight(0, 18.5), kMinWeight);
 }
 
 }  // namespace

@@ -332,8 +332,8 @@ TEST(ReconstructLines, RejectsWrongInput) {
   group.segments.pop_back();
   EXPECT_EQ(rejected(group), "reconstruct_lines: images = 1, must be one per camera, 2");
   EstimationOptions options = test::published();
-  options.lines.min_weight = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(rejected(good, options), "min_weight = nan, must be in [0, 1]");
+  options.lines.max_aligned_angle_deg = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(rejected(good, options), "max_aligned_angle_deg = nan, must be in [0, 90]");
   EXPECT_EQ(rejected(good), "accepted");
   options = test::published();
   for (const Method method : {Method::kPlanes, Method::kLines}) {

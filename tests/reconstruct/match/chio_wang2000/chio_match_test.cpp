@@ -79,7 +79,7 @@ TEST_F(ChioMatch, RefusesOptionsAndImagesThatAreNone) {
   options.min_pieces = 0;
   EXPECT_THROW(match(options), std::invalid_argument);
   options = {};
-  options.max_rate = std::numeric_limits<double>::quiet_NaN();
+  options.max_azimuth_deg = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(match(options), std::invalid_argument);
   pair_.views[1].image = cv::Mat();
   EXPECT_THROW(match(), std::invalid_argument);

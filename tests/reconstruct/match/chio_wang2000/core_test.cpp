@@ -52,12 +52,14 @@ TEST_F(Core, RejectsWithTheReason) {
   ChioOptions options;
   options.min_pieces = 500;
   EXPECT_EQ(candidates(options).reason, ChioOutcome::kFewPieces);
-  options = {};
-  options.max_rate_sigma = 0.001;  // the painted edge is ragged
-  EXPECT_EQ(candidates(options, {}).reason, ChioOutcome::kUneven);
-  options = {};
-  options.max_flank_difference = 0.0;
-  EXPECT_EQ(candidates(options, {}).reason, ChioOutcome::kFlank);
+  EdgeSegment& mate = pair_.views[1].segments[0];
+  for (Flank* flank : {&mate.left, &mate.right}) flank->colour[0] += 30.0F / 255.0F;
+  EXPECT_EQ(candidates({}, {}).reason, ChioOutcome::kFlank);
+}
+
+TEST_F(Core, RejectsALineOnTextureAsUneven) {
+  pair_.add_line({{9.0, -5.0, 0.0}, {9.0, 5.0, 0.0}});  // on open ground
+  EXPECT_EQ(candidates({}, {}).reason, ChioOutcome::kUneven);
 }
 
 TEST_F(Core, RejectsASteepLineAndATurnedOne) {

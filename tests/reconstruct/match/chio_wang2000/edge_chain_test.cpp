@@ -30,11 +30,11 @@ class Chain : public testing::Test {
  protected:
   [[nodiscard]] EdgeChain chain_of(const Segment3& in_left,
                                    const Segment3& in_right,
-                                   const ChioOptions& options = {}) const {
+                                   double gsd_m = kChainGsd_m) const {
     const EdgeSegment left = test::edge(project(pair.left, in_left));
     const EdgeSegment right = test::edge(project(pair.right, in_right));
     return edge_chain(search.right_from_left, perfect_points(search, left.line.segment), left.line,
-                      right.line, kChainGsd_m, options);
+                      right.line, gsd_m);
   }
 
   test::StereoPair pair{0.2};
@@ -78,12 +78,10 @@ TEST_F(Chain, EndsWithTheRightSegment) {
   EXPECT_EQ(chain_of(edge, beyond).summary.n_reliable, 0);
 }
 
-TEST_F(Chain, PiecesAreAsLongAsTheOptionsAsk) {
+TEST_F(Chain, ReliablePiecesAreHalfAGroundPixelLong) {
   const Segment3 edge{{0.0, 0.0, 6.0}, {2.0, 8.0, 6.0}};
-  ChioOptions options;
-  EXPECT_GT(chain_of(edge, edge, options).summary.n_reliable, 90);  // 103 px
-  options.min_piece_gsd = 1.5;
-  EXPECT_EQ(chain_of(edge, edge, options).summary.n_reliable, 0);
+  EXPECT_GT(chain_of(edge, edge, 1.8 * kChainGsd_m).summary.n_reliable, 90);  // 103 px
+  EXPECT_EQ(chain_of(edge, edge, 2.2 * kChainGsd_m).summary.n_reliable, 0);
 }
 
 TEST_F(Chain, AcrossAGapThereIsNoPiece) {
@@ -93,7 +91,7 @@ TEST_F(Chain, AcrossAGapThereIsNoPiece) {
   std::vector<SearchedPoint> points = perfect_points(search, left.line.segment);
   points.erase(points.begin() + 10);
   const EdgeChain chain =
-      edge_chain(search.right_from_left, points, left.line, right.line, kChainGsd_m, {});
+      edge_chain(search.right_from_left, points, left.line, right.line, kChainGsd_m);
   EXPECT_EQ(chain.pieces.size() + 2, chain.points.size());
 }
 
@@ -115,7 +113,7 @@ TEST_F(Chain, HeightSigmaIsThatOfManyDisturbedSegments) {
   for (int trial = 0; trial < kTrials; ++trial) {
     const UncertainSegment2 a = shifted(left);
     const EdgeChain chain = edge_chain(search.right_from_left, perfect_points(search, a.segment), a,
-                                       shifted(right), kChainGsd_m, {});
+                                       shifted(right), kChainGsd_m);
     squares += std::pow(chain.summary.mean_height_m - 6.5, 2);
   }
   // the standard deviation of 2000 trials is known to 1.6 %: four of these
@@ -126,7 +124,6 @@ TEST_F(Chain, ExpectedRateNoiseIsThatOfDisturbedPixels) {
   const Segment3 edge{{0.0, 0.0, 6.0}, {3.0, 8.0, 7.0}};
   const EdgeSegment left = test::edge(project(pair.left, edge));
   const EdgeSegment right = test::edge(project(pair.right, edge));
-  const ChioOptions options;
   constexpr double kEdgeSigma_px = 0.1;
   test::Random random(1);
   double sum = 0.0;
@@ -139,8 +136,7 @@ TEST_F(Chain, ExpectedRateNoiseIsThatOfDisturbedPixels) {
       p.point.x_px += random.normal(kEdgeSigma_px) * Eigen::Vector2d(-u.y(), u.x());
       p.stretch = search.right_from_left.stretch(p.point.x_px);
     }
-    last = edge_chain(search.right_from_left, points, left.line, right.line, kChainGsd_m, options)
-               .summary;
+    last = edge_chain(search.right_from_left, points, left.line, right.line, kChainGsd_m).summary;
     sum += last.rate_sigma / kTrials;
   }
   // pieces are a pixel long, a ground pixel within the height of the edge and its perspective

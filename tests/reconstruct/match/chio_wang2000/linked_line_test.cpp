@@ -85,7 +85,7 @@ TEST(LineThroughLinks, RunsTheWayOfTheLeftSegmentInWhicheverOrderTheFragmentsWer
   pair.add_segment(1, {edge.start, {-4.0, -0.5, 5.0}});
   pair.add_segment(1, {{-4.0, 0.5, 5.0}, edge.end});
   for (const std::vector<int>& fragments : {std::vector{0, 1}, std::vector{1, 0}}) {
-    const auto line = line_through_links(0, fragments, pair.searched(), kGsd_m, {});
+    const auto line = line_through_links(0, fragments, pair.searched(), kGsd_m);
     ASSERT_TRUE(line.has_value());
     EXPECT_LT((line->segment.start - edge.start).norm(), kNear_m) << fragments[0];
     EXPECT_LT((line->segment.end - edge.end).norm(), kNear_m) << fragments[0];

@@ -23,8 +23,8 @@ class ConnectMatches : public ::testing::Test {
     }
     matches_.push_back({static_cast<int>(matches_.size()), static_cast<int>(matches_.size())});
   }
-  [[nodiscard]] std::vector<PairConnection> connect(const MatchOptions& options = {}) const {
-    return connect_matches(pair_, matches_, options);
+  [[nodiscard]] std::vector<PairConnection> connect() const {
+    return connect_matches(pair_, matches_);
   }
 
   test::OwnedPair pair_;

@@ -57,12 +57,20 @@ LineGroup match_of(const std::vector<Segment3>& lines) {
 const std::vector<Segment3> kVerges{{seen_at(0.0, kEaveM), seen_at(0.5, kRidgeM)},
                                     {seen_at(0.5, kRidgeM), seen_at(1.0, kEaveM)}};
 
+/// The verges of a dormer, of this length each in the left image.
+std::vector<Segment3> short_verges(double each_px) {
+  const double half = each_px / kLengthPx;
+  const double ridge_m = kEaveM + each_px / 14.4;
+  return {{seen_at(0.5 - half, kEaveM), seen_at(0.5, ridge_m)},
+          {seen_at(0.5, ridge_m), seen_at(0.5 + half, kEaveM)}};
+}
+
 /// Both verges of a gable; its ridge and eaves meet them.
-LineGroup gable() {
-  LineGroup group = match_of(kVerges);
-  add_meeting(group, kVerges[0].start, 80.0);
-  add_meeting(group, kVerges[0].end, 85.0);
-  add_meeting(group, kVerges[1].end, 90.0);
+LineGroup gable(const std::vector<Segment3>& verges = kVerges) {
+  LineGroup group = match_of(verges);
+  add_meeting(group, verges[0].start, 80.0);
+  add_meeting(group, verges[0].end, 85.0);
+  add_meeting(group, verges[1].end, 90.0);
   return group;
 }
 
@@ -101,12 +109,8 @@ TEST(MatchOfSeveralLines, OneEaveIsEnoughForBothVerges) {
 
 TEST(MatchOfSeveralLines, GivesTheVergesOfADormerToo) {
   // the segment is too short for the steps of a row
-  const std::vector<Segment3> verges{{seen_at(0.35, 6.0), seen_at(0.5, 7.0)},
-                                     {seen_at(0.5, 7.0), seen_at(0.65, 6.0)}};
-  LineGroup group = match_of(verges);
-  add_meeting(group, verges[0].start, 80.0);
-  add_meeting(group, verges[0].end, 85.0);
-  add_meeting(group, verges[1].end, 90.0);
+  const std::vector<Segment3> verges = short_verges(14.4);
+  const LineGroup group = gable(verges);
   const std::vector<ReconstructedLine> lines = group.reconstruct(EstimationOptions{});
   ASSERT_EQ(lines.size(), group.matches.size() + 1);
   for (std::size_t p = 0; p < 2; ++p)
@@ -161,10 +165,13 @@ TEST(MatchOfSeveralLines, AsPublishedIsOneLine) {
   EXPECT_EQ(group.reconstruct(test::published()).size(), group.matches.size());
 }
 
-TEST(MatchOfSeveralLines, PartsAreAsLongAsAsked) {
-  EstimationOptions options;
-  options.consensus.min_cut_length_px = 0.6 * kLengthPx;
-  EXPECT_EQ(gable().reconstruct(options).size(), gable().matches.size());
+TEST(MatchOfSeveralLines, HasNoPartBelowSevenPixels) {
+  const auto n_lines = [](double each_px) {
+    return gable(short_verges(each_px)).reconstruct(EstimationOptions{}).size();
+  };
+  const std::size_t n_matches = gable().matches.size();
+  EXPECT_EQ(n_lines(7.5), n_matches + 1);
+  EXPECT_EQ(n_lines(6.5), n_matches);
 }
 
 }  // namespace
