@@ -77,11 +77,10 @@ constexpr std::array kCommands{
             "  ridgeline extract left.tif --out segments.csv\n"
             "  ridgeline extract left.tif --patch patch.yaml --out segments.csv --overlay seen.png",
             add_extract},
-    Command{
-        "match", "match line segments between the two images of a patch",
-        "  ridgeline match patch.yaml --out matches.csv\n"
-        "  ridgeline match patch.yaml --matcher pairwise,chio --out matches.csv --overlay seen.png",
-        add_match},
+    Command{"match", "match line segments between the two images of a patch",
+            "  ridgeline match patch.yaml --out matches.csv\n"
+            "  ridgeline match patch.yaml --matcher chio --out matches.csv --overlay seen.png",
+            add_match},
     Command{"reconstruct", "reconstruct 3D lines from the matched segments of a patch",
             "  ridgeline reconstruct patch.yaml --out lines.geojson\n"
             "  ridgeline reconstruct patch.yaml --matches matches.csv --method network --out "

@@ -13,7 +13,6 @@
 #include "reconstruct/extract/own_segments.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/transformed.h"
-#include "reconstruct/match/beyond/combine_matches.h"
 #include "reconstruct/match/beyond/extensions.h"
 #include "reconstruct/match/beyond/guided_matches/guided_matches.h"
 #include "reconstruct/match/ok2011/connect_matches.h"
@@ -81,24 +80,11 @@ MatchList by_pairs(const StereoPair& pair,
   const MatchResult found =
       match_pairwise(pair, options.pairwise, options.candidates,
                      match_extensions(options.beyond, options.candidates, address(surface)));
-  return {name(Matcher::kPairwise), found_by(name(Matcher::kPairwise), found.matches),
-          reasons_of(found.outcomes)};
+  return {found_by(name(Matcher::kPairwise), found.matches), reasons_of(found.outcomes)};
 }
 
 MatchList list_of(const ChioResult& chio) {
-  return {name(Matcher::kChio), found_by(name(Matcher::kChio), matches_of(chio)),
-          reasons_of(chio.outcomes)};
-}
-
-MatchList combined(const std::vector<EdgeSegment>& left,
-                   const MatchList& pairwise,
-                   const ChioResult& chio) {
-  MatchList both{kBothMatchers, combine_matches(left, pairwise.matches, chio.lines),
-                 pairwise.reasons};
-  for (const Correspondence& found : both.matches) {
-    both.reasons[static_cast<std::size_t>(found.base)] = "matched";
-  }
-  return both;
+  return {found_by(name(Matcher::kChio), matches_of(chio)), reasons_of(chio.outcomes)};
 }
 
 /// The connections of tracks that two views of a pair show beside each other.
@@ -131,7 +117,7 @@ std::vector<PairConnection> connections_of(const Scene& scene,
 void guide(const StereoPair& pair, const Options& options, PairMatches& matches) {
   const MatchExtensionOptions& beyond = options.matching.beyond;
   if (!beyond.guided || !matches.surface) return;
-  MatchList& list = matches.lists.back();
+  MatchList& list = matches.list;
   GuidedMatches found = guided_matches(pair, *matches.surface, list.matches,
                                        {options.extraction.edges, options.matching.candidates},
                                        match_extensions(beyond, options.matching.candidates).look);
@@ -297,16 +283,11 @@ PairMatches match(const Scene& scene, const ViewPair& views, const Options& opti
   PairMatches result;
   result.views = views;
   if (takes_surface(options)) result.surface = dense_surface(pair);
-  for (const Matcher matcher : matching.matchers) {
-    if (matcher == Matcher::kPairwise) {
-      result.lists.push_back(by_pairs(pair, matching, result.surface));
-    } else {
-      result.chio = chio_match(pair, matching.chio, matching.candidates, chio_extensions(matching));
-      result.lists.push_back(list_of(*result.chio));
-    }
-  }
-  if (result.lists.size() == 2) {
-    result.lists.push_back(combined(pair.views[0]->segments, result.lists[0], *result.chio));
+  if (matching.matcher == Matcher::kPairwise) {
+    result.list = by_pairs(pair, matching, result.surface);
+  } else {
+    result.chio = chio_match(pair, matching.chio, matching.candidates, chio_extensions(matching));
+    result.list = list_of(*result.chio);
   }
   guide(pair, options, result);
   for (const std::size_t side : {0U, 1U}) {
@@ -327,11 +308,9 @@ void add_guided(Scene& scene, std::span<PairMatches> pairs) {
       if (static_cast<std::size_t>(id) >= n)
         id += static_cast<int>(scene.views[of_pair[side]].segments.size() - n);
     };
-    for (MatchList& list : pair.lists) {
-      for (Correspondence& found : list.matches) {
-        renumber(0, found.base);
-        renumber(1, found.other);
-      }
+    for (Correspondence& found : pair.list.matches) {
+      renumber(0, found.base);
+      renumber(1, found.other);
     }
     for (const std::size_t side : {0U, 1U})
       std::ranges::copy(pair.guided[side], std::back_inserter(scene.views[of_pair[side]].segments));
@@ -341,9 +320,9 @@ void add_guided(Scene& scene, std::span<PairMatches> pairs) {
 std::vector<Track> tracks_of(const Scene& scene,
                              std::span<const PairMatches> pairs,
                              const Options& options) {
-  if (pairs.size() == 1) return tracks_of_pair(pairs[0].views, pairs[0].used().matches);
+  if (pairs.size() == 1) return tracks_of_pair(pairs[0].views, pairs[0].list.matches);
   const auto matched = transformed(pairs, [](const PairMatches& pair) {
-    return MatchedPair{pair.views, pair.used().matches};
+    return MatchedPair{pair.views, pair.list.matches};
   });
   return tracks_of(at_scale_of_edges(scene), matched, options.matching.candidates,
                    options.matching.tracks);
@@ -434,7 +413,6 @@ Options published() {
 }
 
 void validate(const Options& options) {
-  check(!options.matching.matchers.empty(), "matchers: none; must be pairwise, chio or both");
   const auto each = [](const auto&... parts) { (ridgeline::validate(parts), ...); };
   each(options.extraction.edges, options.extraction.beyond, options.matching.candidates,
        options.matching.pairwise, options.matching.chio, options.matching.beyond,

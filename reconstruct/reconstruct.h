@@ -24,12 +24,9 @@ namespace ridgeline::reconstruct {
 enum class Matcher : std::uint8_t { kPairwise, kChio };
 const char* name(Matcher matcher);  ///< "pairwise" | "chio"
 
-/// The name of the list that combines the matches of both matchers.
-inline constexpr const char* kBothMatchers = "both";
-
 struct MatchingOptions {
-  std::vector<Matcher> matchers{Matcher::kPairwise};  ///< each once
-  CandidateOptions candidates;                        ///< of both matchers
+  Matcher matcher = Matcher::kPairwise;
+  CandidateOptions candidates;  ///< of both matchers
   MatchOptions pairwise;
   ChioOptions chio;
   MatchExtensionOptions beyond;
@@ -50,9 +47,8 @@ struct Options {
 /// Method::kNetwork is not of a paper.
 Options published();
 
-/// The matches that one matcher, or both together, found for a pair.
+/// The matches of a pair.
 struct MatchList {
-  std::string name;                     ///< "pairwise", "chio" or "both"
   std::vector<Correspondence> matches;  ///< in the order of Correspondence::segments()
   std::vector<std::string> reasons;     ///< per left segment: "matched", or why it has no match
 };
@@ -60,15 +56,12 @@ struct MatchList {
 /// The results of matching a pair.
 struct PairMatches {
   ViewPair views;
-  std::vector<MatchList> lists;  ///< one per matcher, then the combined list if there are two
-  std::optional<ChioResult> chio;
+  MatchList list;
+  std::optional<ChioResult> chio;  ///< if this is the matcher
   /// Segments found while matching, in the base and the search view. Their ids go on from those of
   /// the view's segments.
   std::array<std::vector<EdgeSegment>, 2> guided{};
   std::optional<Surface> surface;  ///< none if no option asks for it or the pair has none
-
-  /// The list that lines are reconstructed from.
-  [[nodiscard]] const MatchList& used() const { return lists.back(); }
 };
 
 struct Reconstruction {

@@ -47,8 +47,7 @@ std::string BlockTask::key() const {
     parts.push_back(fmt::format("{} {}", corner.x(), corner.y()));
   for (const reconstruct::Method method : options_.methods)
     parts.emplace_back(reconstruct::name(method));
-  for (const auto matcher : options_.parameters.method.matching.matchers)
-    parts.emplace_back(reconstruct::name(matcher));
+  parts.emplace_back(reconstruct::name(options_.parameters.method.matching.matcher));
   for (std::size_t i = 0; i < frames_.size(); ++i)
     parts.push_back(key_of_view(patch_.images[i], frames_[i].sha256));
   return key_of(parts);

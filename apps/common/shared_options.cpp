@@ -41,11 +41,8 @@ void add_judge_options(CLI::App& app, ParameterArguments& arguments) {
       ->check(in_range(0.0, 10.0));
 }
 
-void add_matcher_option(CLI::App& app, std::vector<std::string>& names) {
-  app.add_option("--matcher", names,
-                 "matchers of line segments: pairwise, chio or both (pairwise,chio)")
-      ->delimiter(',')
-      ->allow_extra_args(false)
+void add_matcher_option(CLI::App& app, std::string& name) {
+  app.add_option("--matcher", name, "matcher of line segments: pairwise or chio")
       ->check(CLI::IsMember({"pairwise", "chio"}))
       ->capture_default_str();
 }

@@ -24,7 +24,7 @@ void add_method_options(CLI::App& app, ParameterArguments& arguments);
 /// Adds `--config` and `--lidar-sigma-m`.
 void add_judge_options(CLI::App& app, ParameterArguments& arguments);
 /// Adds `--matcher`, which takes one matcher, or both separated by a comma.
-void add_matcher_option(CLI::App& app, std::vector<std::string>& names);
+void add_matcher_option(CLI::App& app, std::string& name);
 
 std::vector<std::string> line_format_names();
 

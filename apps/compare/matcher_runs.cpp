@@ -30,14 +30,14 @@ struct PatchOfRun {
 };
 
 /// The options in the run.json of a folder; nothing if the file is missing or its options name no
-/// matchers.
+/// matcher.
 std::optional<nlohmann::json> options_of(const std::string& folder) {
   const fs::path file = fs::path(folder) / "run.json";
   if (!fs::exists(file)) return std::nullopt;
   const auto run = nlohmann::json::parse(io::read_text_file(file.string()), nullptr, false);
   if (!run.is_object() || !run.contains("options")) return std::nullopt;
   const nlohmann::json& options = run["options"];
-  if (!options.is_object() || !options.contains("matchers")) return std::nullopt;
+  if (!options.is_object() || !options.contains("matcher")) return std::nullopt;
   return options;
 }
 
@@ -155,18 +155,13 @@ PatchOfRun read_patch_of_run(const std::string& folder, const std::string& patch
   return run;
 }
 
-/// The matcher of a run: "pairwise", "chio" or "both".
+/// The matcher of a run: "pairwise" or "chio".
 std::string matcher_name(const std::string& folder) {
   const std::string file = (fs::path(folder) / "run.json").string();
   try {
-    const nlohmann::json options = options_of(folder).value();
-    const auto names = options.at("matchers").get<std::vector<std::string>>();
-    if (names.empty()) {
-      throw io::IoError(file, "options.matchers is empty; must have at least one matcher");
-    }
-    return names.size() > 1 ? "both" : names.front();
+    return options_of(folder).value().at("matcher").get<std::string>();
   } catch (const nlohmann::json::exception& error) {
-    throw io::IoError(file, std::string("has no matchers: ") + error.what());
+    throw io::IoError(file, std::string("has no matcher: ") + error.what());
   }
 }
 
@@ -202,7 +197,7 @@ bool have_different_matchers(const std::vector<std::string>& folders) {
   for (const std::string& folder : folders) {
     const std::optional<nlohmann::json> options = options_of(folder);
     if (!options) return false;
-    settings.insert(options->at("matchers").dump());
+    settings.insert(options->at("matcher").dump());
   }
   return settings.size() > 1;
 }

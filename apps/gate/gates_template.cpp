@@ -32,9 +32,9 @@ constexpr std::string_view kKeys =
 #           the interval is wider than its limit; raise --decoys of run and evaluate then.
 #   patch   id of a patch; default: every patch
 #   method  direct, joint, network or planes; after evaluate the line file's name without extension;
-#           for matching figures the matcher: pairwise, chio or both. Default:
+#           for matching figures the matcher: pairwise or chio. Default:
 #           the first of network, joint and direct that was run; after evaluate every
-#           line file; for matching both, else the matcher that was run.
+#           line file; for matching the matcher that was run.
 #   n_min   the gate fails with fewer lines or matches; default: no minimum.
 #           At the top level, next to `gates`, it is the default for every gate.
 #

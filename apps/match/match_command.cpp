@@ -35,20 +35,17 @@ struct MatchArguments {
   double max_image_mpx = 0.0;
   bool overwrite = false;
   double max_y_parallax_px = kDefaultMaxYParallax_px;
-  std::vector<std::string> matchers{"pairwise"};
-  reconstruct::Options options;  ///< made from `parameters` and `matchers`
+  std::string matcher = "pairwise";
+  reconstruct::Options options;  ///< made from `parameters` and `matcher`
 };
 
 void print_summary(std::span<const reconstruct::View> views,
                    const reconstruct::PairMatches& result) {
   say("{} segments in the left, {} in the right image\n", views[0].segments.size(),
       views[1].segments.size());
-  for (const reconstruct::MatchList& list : result.lists) {
-    std::map<std::string, int> n;
-    for (const std::string& reason : list.reasons) ++n[reason];
-    if (result.lists.size() > 1) say("{}:\n", list.name);
-    for (const auto& [reason, count] : n) say("  {:<21}{}\n", reason, count);
-  }
+  std::map<std::string, int> n;
+  for (const std::string& reason : result.list.reasons) ++n[reason];
+  for (const auto& [reason, count] : n) say("  {:<21}{}\n", reason, count);
 }
 
 /// Prints the numbers of lines as Chio and Wang 2000 count them: by the first two processes, by the
@@ -79,9 +76,7 @@ std::vector<std::string> segment_files(const MatchArguments& a, const io::Patch&
 }
 
 void check_outputs(const MatchArguments& a, const io::Patch& patch) {
-  const std::vector<reconstruct::Matcher>& matchers = a.options.matching.matchers;
-  check(a.provenance.empty() || std::find(matchers.begin(), matchers.end(),
-                                          reconstruct::Matcher::kChio) != matchers.end(),
+  check(a.provenance.empty() || a.options.matching.matcher == reconstruct::Matcher::kChio,
         "provenance: only lines of chio have one; requires --matcher chio");
   std::vector<std::string> others = results::paths_of(input_files(patch));
   std::vector<std::string> files = segment_files(a, patch);
@@ -95,7 +90,7 @@ void check_outputs(const MatchArguments& a, const io::Patch& patch) {
 
 int run_match(MatchArguments a) {
   a.options = read_parameters(a.parameters).method;
-  a.options.matching.matchers = matchers_named(a.matchers);
+  a.options.matching.matcher = matcher_named(a.matcher);
   const io::Patch patch =
       open_patch(a.patch, {.max_image_mpx = a.max_image_mpx}, [&](const io::Patch& decided) {
         tell_of(decided);
@@ -110,10 +105,10 @@ int run_match(MatchArguments a) {
   const std::vector<reconstruct::View>& views = scene.views;
   const std::vector<std::string> files = segment_files(a, patch);
   for (std::size_t i = 0; i < files.size(); ++i) io::write_segments(files[i], views[i].segments);
-  io::write_matches(a.out, result.used().matches);
+  io::write_matches(a.out, result.list.matches);
   if (!a.provenance.empty()) io::write_file(a.provenance, chio_csv(*result.chio, patch.frame));
   if (!a.overlay.empty()) {
-    io::write_png(a.overlay, match_overlay(views[0], views[1], result.used().matches));
+    io::write_png(a.overlay, match_overlay(views[0], views[1], result.list.matches));
   }
   print_summary(views, result);
   if (result.chio) print_processes(*result.chio);
@@ -135,7 +130,7 @@ Run add_match(CLI::App& subcommand) {
   subcommand.add_option("--segments", a->segments,
                         "folder for segments.IMAGE.csv of both images, which define the ids; "
                         "default: the folder of --out, where reconstruct --matches expects them");
-  add_matcher_option(subcommand, a->matchers);
+  add_matcher_option(subcommand, a->matcher);
   subcommand.add_option("--provenance", a->provenance,
                         "write a CSV with process, neighbour and height of each line of chio");
   add_pair_check_option(subcommand, a->max_y_parallax_px);

@@ -163,18 +163,11 @@ reconstruct::Method method_named(const std::string& name) {
       fmt::format("method = {}, must be one of {}", name, fmt::join(method_names(), ", ")));
 }
 
-std::vector<Matcher> matchers_named(const std::vector<std::string>& names) {
-  constexpr std::array kMatchers{Matcher::kPairwise, Matcher::kChio};
-  for (const std::string& name : names) {
-    const bool is_known = std::ranges::any_of(
-        kMatchers, [&](Matcher matcher) { return name == reconstruct::name(matcher); });
-    check(is_known, "matcher = ", name, ", must be pairwise or chio");
+Matcher matcher_named(const std::string& name) {
+  for (const Matcher matcher : {Matcher::kPairwise, Matcher::kChio}) {
+    if (name == reconstruct::name(matcher)) return matcher;
   }
-  std::vector<Matcher> matchers;
-  std::ranges::copy_if(kMatchers, std::back_inserter(matchers), [&](Matcher matcher) {
-    return std::ranges::count(names, reconstruct::name(matcher)) > 0;
-  });
-  return matchers;
+  throw std::invalid_argument(fmt::format("matcher = {}, must be pairwise or chio", name));
 }
 
 void check_preset(const ParameterArguments& parameters,

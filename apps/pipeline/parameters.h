@@ -45,9 +45,8 @@ std::vector<std::string> default_methods(const ParameterArguments& parameters);
 /// The method of that name. Throws std::invalid_argument unless it is one of method_names().
 reconstruct::Method method_named(const std::string& name);
 
-/// The matchers of these names in the order of the enum, each once. Throws std::invalid_argument
-/// for a name of no matcher.
-std::vector<reconstruct::Matcher> matchers_named(const std::vector<std::string>& names);
+/// The matcher of that name. Throws std::invalid_argument for a name of no matcher.
+reconstruct::Matcher matcher_named(const std::string& name);
 
 /// Throws std::invalid_argument if the preset is `published` and a method is not of the papers.
 void check_preset(const ParameterArguments& parameters,

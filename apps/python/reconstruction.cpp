@@ -40,9 +40,9 @@ reconstruct::Options options_of(const py::dict& entries) {
   take(entries, "method", method);
   options.estimation.lines.method = apps::method_named(method);
   apps::check_preset(arguments, {options.estimation.lines.method});
-  std::vector<std::string> matchers{"pairwise"};
-  take(entries, "matchers", matchers);
-  options.matching.matchers = apps::matchers_named(matchers);
+  std::string matcher = "pairwise";
+  take(entries, "matcher", matcher);
+  options.matching.matcher = apps::matcher_named(matcher);
   return options;
 }
 

@@ -35,8 +35,8 @@ namespace {
 struct ReconstructArguments {
   std::string patch, matches, out, surface, method, format;
   ParameterArguments parameters;
-  reconstruct::Options options;  ///< made from `parameters`, `matchers` and `method`
-  std::vector<std::string> matchers{"pairwise"};
+  reconstruct::Options options;  ///< made from `parameters`, `matcher` and `method`
+  std::string matcher = "pairwise";
   double max_image_mpx = 0.0;
   double max_y_parallax_px = kDefaultMaxYParallax_px;
   bool local_origin = false;
@@ -138,7 +138,7 @@ void check_outputs(const ReconstructArguments& a, std::vector<std::string> input
 
 int run_reconstruct(ReconstructArguments a) {
   a.options = read_parameters(a.parameters).method;
-  a.options.matching.matchers = matchers_named(a.matchers);
+  a.options.matching.matcher = matcher_named(a.matcher);
   if (a.method.empty()) a.method = default_methods(a.parameters).back();
   a.options.estimation.lines.method = method_named(a.method);
   check_preset(a.parameters, {a.options.estimation.lines.method});
@@ -184,7 +184,7 @@ Run add_reconstruct(CLI::App& subcommand) {
   add_pair_check_option(subcommand, a->max_y_parallax_px);
   add_image_size_option(subcommand, a->max_image_mpx);
   add_method_options(subcommand, a->parameters);
-  add_matcher_option(subcommand, a->matchers);
+  add_matcher_option(subcommand, a->matcher);
   return [a] { return run_reconstruct(*a); };
 }
 

@@ -47,7 +47,7 @@ struct RunOptions {
 /// Matching and evaluation of one patch; its files are written.
 // NOLINTNEXTLINE(bugprone-exception-escape): what moving JSON could throw is an assertion
 struct PatchResult {
-  std::vector<evaluate::Table1Row> matching;      ///< the rows of score_matches()
+  std::optional<evaluate::Table1Row> matching;    ///< of score_matches()
   std::optional<evaluate::PatchTracks> tracks;    ///< score_tracks()
   nlohmann::ordered_json edges;                   ///< by image: how sharp it is, see edge_facts()
   std::vector<evaluate::Evaluation> evaluations;  ///< one per method

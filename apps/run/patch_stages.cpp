@@ -8,7 +8,6 @@
 #include "apps/pipeline/patch_scene.h"
 #include "apps/pipeline/reconstructed_lines.h"
 #include "evaluate/files/write_results.h"
-#include "evaluate/gates/figure.h"
 #include "evaluate/tables/summary_json.h"
 #include "io/cloud/labelled_points.h"
 #include "io/cloud/las_writer.h"
@@ -31,20 +30,13 @@
 namespace ridgeline::apps {
 namespace {
 
-static_assert(evaluate::kCombinedMatches == reconstruct::kBothMatchers,
-              "reserved for the combined matches");
-
-/// The list of matches that lines are reconstructed from. With two matchers it is the combined
-/// list.
+/// The list of matches that lines are reconstructed from.
 constexpr const char* kMatchList = "matches.csv";
 constexpr const char* kUnmatchedList = "unmatched.csv";
+constexpr const char* kChioList = "chio.csv";
+constexpr const char* kVerdictList = "verdicts.csv";
 /// What three images and more show of each edge.
 constexpr const char* kTrackList = "tracks.csv";
-
-/// The name of the file of one matcher, if there are several.
-std::string list_file(const char* stem, const std::string& matcher) {
-  return fmt::format("{}.{}.csv", stem, matcher);
-}
 
 /// left_id,right_id,verdict: correct, false and unjudged matches, then the missed ones.
 std::string verdicts_csv(const std::vector<Correspondence>& matches,
@@ -88,11 +80,9 @@ std::vector<Stage> PatchStages::table() {
   const auto options_of = [&](const char* group) { return parameters_[group].dump(); };
   const std::string views = views_key();
   const std::string extraction = extraction_key();
-  std::vector<std::string> matching{views, options_of("match"), options_of("tracks"),
-                                    options_of("chio"), extraction};
-  for (const auto matcher : options_.parameters.method.matching.matchers)
-    matching.emplace_back(name(matcher));
-  const std::string matches = key_of(matching);
+  const reconstruct::Matcher matcher = options_.parameters.method.matching.matcher;
+  const std::string matches = key_of({views, options_of("match"), options_of("tracks"),
+                                      options_of("chio"), extraction, name(matcher)});
   std::vector<Stage> stages{
       {"check pairs",
        key_of({views, options_of("tracks"), fmt::format("{}", options_.max_y_parallax_px)}),
@@ -144,27 +134,9 @@ std::vector<std::string> PatchStages::segment_files() const {
   return transformed(patch_.images, segments_file);
 }
 
-/// The names of the lists of matches.
-std::vector<std::string> PatchStages::list_names() const {
-  std::vector<std::string> names;
-  for (const reconstruct::Matcher matcher : options_.parameters.method.matching.matchers)
-    names.emplace_back(name(matcher));
-  if (names.size() > 1) names.emplace_back(reconstruct::kBothMatchers);
-  return names;
-}
-
 std::vector<std::string> PatchStages::match_files() const {
   std::vector<std::string> files = segment_files();
-  files.insert(files.end(), {kMatchList, kUnmatchedList, kTrackList});
-  const std::vector<reconstruct::Matcher>& matchers = options_.parameters.method.matching.matchers;
-  for (const reconstruct::Matcher matcher : matchers) {
-    if (matcher == reconstruct::Matcher::kChio) files.emplace_back("chio.csv");
-    if (matchers.size() == 1) continue;
-    files.push_back(list_file("matches", name(matcher)));
-    files.push_back(list_file("unmatched", name(matcher)));
-  }
-  for (const std::string& name : list_names()) files.push_back(list_file("verdicts", name));
-  files.emplace_back("verdicts.csv");
+  files.insert(files.end(), {kMatchList, kUnmatchedList, kTrackList, kChioList, kVerdictList});
   return files;
 }
 
@@ -257,21 +229,10 @@ void PatchStages::keep_surface() {
                 patch_.crs);
 }
 
-/// Removes the lists of an earlier run with other matchers, which would look like lists of this
-/// run.
-void PatchStages::remove_match_lists() const {
-  std::vector<std::string> files{"chio.csv", "verdicts.csv", kTrackList};
-  for (const char* stem : {"matches", "unmatched", "verdicts"}) {
-    for (const reconstruct::Matcher matcher :
-         {reconstruct::Matcher::kPairwise, reconstruct::Matcher::kChio}) {
-      files.push_back(list_file(stem, name(matcher)));
-    }
-  }
-  for (const std::string& file : files) out_.remove(patch_.id + "/" + file);
-}
-
 void PatchStages::match(std::vector<std::string>& files) {
-  remove_match_lists();
+  // those of an earlier run would look like lists of this run
+  for (const char* file : {kChioList, kVerdictList, kTrackList})
+    out_.remove(patch_.id + "/" + file);
   read_views(edge_files());
   reconstruct::Matched matched =
       reconstruct::match_all(scene_, pairs(), options_.parameters.method);
@@ -280,10 +241,12 @@ void PatchStages::match(std::vector<std::string>& files) {
     io::write_segments(path(segment_names[i]), scene_.views[i].segments);
   for (const reconstruct::PairMatches& result : matched.pairs) {
     const std::string folder = pair_folder(result.views);
-    write_list(result.used(), folder + kMatchList, folder + kUnmatchedList);
+    io::write_matches(path(folder + kMatchList), result.list.matches);
+    io::write_file(path(folder + kUnmatchedList), unmatched_csv(result.list));
     if (!folder.empty()) files.insert(files.end(), {folder + kMatchList, folder + kUnmatchedList});
   }
-  write_lists_of_matchers(matched.pairs.front());
+  if (const auto& chio = matched.pairs.front().chio)
+    io::write_file(path(kChioList), chio_csv(*chio, scene_.frame));
   if (scene_.views.size() > 2) {
     io::write_tracks(path(kTrackList), matched.tracks,
                      transformed(patch_.images, &io::PatchImage::id));
@@ -291,22 +254,6 @@ void PatchStages::match(std::vector<std::string>& files) {
   surfaces_.clear();
   for (reconstruct::PairMatches& result : matched.pairs)
     surfaces_.push_back(std::move(result.surface));
-}
-
-void PatchStages::write_list(const reconstruct::MatchList& list,
-                             const std::string& matches,
-                             const std::string& unmatched) const {
-  io::write_matches(path(matches), list.matches);
-  io::write_file(path(unmatched), unmatched_csv(list));
-}
-
-/// Writes what several matchers found in the base pair, and how `chio` found its lines.
-void PatchStages::write_lists_of_matchers(const reconstruct::PairMatches& result) const {
-  if (result.chio) io::write_file(path("chio.csv"), chio_csv(*result.chio, scene_.frame));
-  for (std::size_t i = 0; i + 1 < result.lists.size(); ++i) {
-    const reconstruct::MatchList& list = result.lists[i];
-    write_list(list, list_file("matches", list.name), list_file("unmatched", list.name));
-  }
 }
 
 std::vector<Track> PatchStages::tracks() const {
@@ -351,21 +298,14 @@ nlohmann::ordered_json PatchStages::edge_facts() {
   return json;
 }
 
-std::vector<evaluate::Table1Row> PatchStages::score_matches() const {
-  std::vector<evaluate::Table1Row> rows;
+std::optional<evaluate::Table1Row> PatchStages::score_matches() const {
   const std::array<std::vector<EdgeSegment>, 2> extracted = segments_of_pair();
-  const std::vector<std::string> names = list_names();
-  for (const std::string& matcher : names) {
-    const bool is_used = matcher == names.back();
-    const std::vector<Correspondence> matches =
-        read_correspondences(path(is_used ? kMatchList : list_file("matches", matcher)), extracted);
-    const auto score = score_patch_matches(patch_, extracted, matches);
-    if (!score) continue;
-    rows.push_back({patch_.id, matcher, score->counts, score->n_unjudged});
-    io::write_file(path(is_used ? "verdicts.csv" : list_file("verdicts", matcher)),
-                   verdicts_csv(matches, *score));
-  }
-  return rows;
+  const std::vector<Correspondence> matches = read_correspondences(path(kMatchList), extracted);
+  const auto score = score_patch_matches(patch_, extracted, matches);
+  if (!score) return std::nullopt;
+  io::write_file(path(kVerdictList), verdicts_csv(matches, *score));
+  const char* matcher = name(options_.parameters.method.matching.matcher);
+  return evaluate::Table1Row{patch_.id, matcher, score->counts, score->n_unjudged};
 }
 
 std::optional<evaluate::PatchTracks> PatchStages::score_tracks() const {

@@ -47,10 +47,9 @@ class PatchStages {
   [[nodiscard]] PatchCounts counts() const;
   /// By image: how wide its edges are, by the scale that they were found at, and its noise.
   [[nodiscard]] nlohmann::ordered_json edge_facts();
-  /// The rows of Table 1: one per matcher and, with two matchers, one for the combined matches.
-  /// There are none without reference matches. Writes the verdict on each match to verdicts.csv,
-  /// and to one more file per matcher if there are two.
-  [[nodiscard]] std::vector<evaluate::Table1Row> score_matches() const;
+  /// The row of Table 1; empty without reference matches. Writes the verdict on each match to
+  /// verdicts.csv.
+  [[nodiscard]] std::optional<evaluate::Table1Row> score_matches() const;
   /// What the reference tracks say of the tracks; empty if the patch has none.
   [[nodiscard]] std::optional<evaluate::PatchTracks> score_tracks() const;
 
@@ -69,9 +68,7 @@ class PatchStages {
   /// The files of match() and score_matches() but those of further pairs.
   [[nodiscard]] std::vector<std::string> match_files() const;
   [[nodiscard]] std::vector<std::string> line_files(reconstruct::Method method) const;
-  [[nodiscard]] std::vector<std::string> list_names() const;
   [[nodiscard]] std::vector<io::LineFormatInfo> more_line_formats() const;
-  void remove_match_lists() const;
   /// Throws IoError if the file is an input.
   [[nodiscard]] std::string path(const std::string& file) const;
   void read_images();
@@ -81,10 +78,6 @@ class PatchStages {
   [[nodiscard]] std::vector<ViewPair> pairs() const;
   [[nodiscard]] std::string pair_folder(const ViewPair& pair) const;
   [[nodiscard]] std::vector<Track> tracks() const;
-  void write_list(const reconstruct::MatchList& list,
-                  const std::string& matches,
-                  const std::string& unmatched) const;
-  void write_lists_of_matchers(const reconstruct::PairMatches& result) const;
   const std::vector<std::optional<reconstruct::Surface>>& surfaces();
 
   const io::Patch& patch_;

@@ -22,7 +22,7 @@ void add_block_flags(CLI::App& app, RunFlags& flags) {
       ->delimiter(',')
       ->allow_extra_args(false)  // a patch file may follow
       ->check(CLI::IsMember(method_names()));
-  add_matcher_option(app, flags.matchers);
+  add_matcher_option(app, flags.matcher);
   add_shift_options(app, flags.options.shift);
   add_schema_option(app, flags.schema);
   add_pair_check_option(app, flags.options.max_y_parallax_px);
@@ -68,7 +68,7 @@ RunOptions run_options(const RunFlags& flags) {
   }
   options.parameters = read_parameters(flags.parameters);
   options.config_path = flags.parameters.config;
-  options.parameters.method.matching.matchers = matchers_named(flags.matchers);
+  options.parameters.method.matching.matcher = matcher_named(flags.matcher);
   check_preset(flags.parameters, options.methods);
   for (const std::string& name : flags.line_formats) {
     const auto format = io::line_format(name);

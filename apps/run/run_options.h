@@ -14,7 +14,7 @@ namespace ridgeline::apps {
 /// RunOptions as they stand on a command line.
 struct RunFlags {
   std::vector<std::string> methods;  ///< if empty, default_methods()
-  std::vector<std::string> matchers{"pairwise"};
+  std::string matcher = "pairwise";
   std::vector<std::string> line_formats;
   std::string schema = "plain";
   ParameterArguments parameters;

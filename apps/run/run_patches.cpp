@@ -63,10 +63,7 @@ nlohmann::ordered_json echo_options(const RunOptions& options) {
   json["methods"] = transformed(options.methods, method_name);
   json["max_image_mpx"] = options.max_image_mpx;
   json["max_y_parallax_px"] = options.max_y_parallax_px;
-  json["matchers"] = nlohmann::ordered_json::array();
-  for (const auto matcher : options.parameters.method.matching.matchers) {
-    json["matchers"].push_back(reconstruct::name(matcher));
-  }
+  json["matcher"] = reconstruct::name(options.parameters.method.matching.matcher);
   json.update(echo(options.parameters));
   json["assume_crs"] = options.assume_crs.definition;
   json["apply_shift"] = options.shift.apply;
@@ -174,7 +171,7 @@ PatchesResult write_patches(const std::vector<std::string>& patch_files,
   nlohmann::ordered_json edges = nlohmann::ordered_json::object();
   for (const io::Patch& patch : patches) {
     PatchResult result = run_patch(patch, options, out, progress, record);
-    std::ranges::move(result.matching, std::back_inserter(found.table1.rows));
+    if (result.matching) found.table1.rows.push_back(std::move(*result.matching));
     if (result.tracks) found.table1.tracks.push_back(std::move(*result.tracks));
     std::ranges::move(result.evaluations, std::back_inserter(found.evaluations));
     std::ranges::move(result.truth, std::back_inserter(truth));

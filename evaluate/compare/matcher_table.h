@@ -14,7 +14,7 @@ namespace ridgeline::evaluate {
 struct MatcherFigures {
   std::string patch;
   std::string run;      ///< the folder of the run
-  std::string matcher;  ///< "pairwise", "chio", "both"
+  std::string matcher;  ///< "pairwise" or "chio"
 
   MatchCounts counts;         ///< of Table 1; all 0 without reference matches
   std::size_t n_matches = 0;  ///< all matches, also those the reference cannot judge

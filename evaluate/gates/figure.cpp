@@ -249,13 +249,9 @@ std::vector<Figure> matching_figures(const Gate& gate,
     of_patch.push_back(&row);
     matchers.push_back(row.matcher);
   }
-  std::optional<std::string> chosen = gate.method;
-  if (!chosen && std::find(matchers.begin(), matchers.end(), kCombinedMatches) != matchers.end()) {
-    chosen = kCombinedMatches;
-  }
   std::vector<Figure> figures;
   for (const Table1Row* row : of_patch) {
-    if (chosen.value_or(row->matcher) != row->matcher) continue;
+    if (gate.method.value_or(row->matcher) != row->matcher) continue;
     figures.push_back(matching_figure(*row, gate.metric));
   }
   if (figures.empty()) {

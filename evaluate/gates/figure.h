@@ -12,9 +12,6 @@
 
 namespace ridgeline::evaluate {
 
-/// What Table 1 calls the matches of both matchers together.
-inline constexpr std::string_view kCombinedMatches = "both";
-
 /// What a gate compares: a figure of one cell of Table 2, or of one row of Table 1.
 struct Figure {
   std::string patch, method;
@@ -31,8 +28,8 @@ struct Figure {
 /// patch that the gate names, or for each patch, there is at least one; it has no value if the
 /// results have no such figure. A gate that names no method concerns what the run is for. For a
 /// reconstructed patch that is the last of direct, joint and network that was run; for an
-/// evaluation of line files it is every file; for figures of matching it is the matches of both
-/// matchers together, else the matcher that was run.
+/// evaluation of line files it is every file; for figures of matching it is the matcher that was
+/// run.
 std::vector<Figure> figures_of(const Gate& gate,
                                const std::string& line_class,
                                const ResultFolder& folder);

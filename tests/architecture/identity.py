@@ -36,8 +36,8 @@ def sample_commands(sample, path):
     patch = str(path)
     run = ["run", patch, "--jobs", "2"]
     lists = [
-        [run + ["--out", f"{sample}/all", "--methods", ALL_METHODS, "--matcher", "pairwise,chio",
-                "--lines-format", "gpkg,dxf,csv"],
+        [run + ["--out", f"{sample}/all", "--methods", ALL_METHODS, "--lines-format",
+                "gpkg,dxf,csv"],
          ["compare", f"{sample}/all"],
          ["report", f"{sample}/all"],
          ["evaluate", "--lines", f"{sample}/all/{{id}}/lines.lines.geojson", "--patch", patch,
@@ -45,7 +45,7 @@ def sample_commands(sample, path):
         [run + ["--out", f"{sample}/published", "--preset", "published", "--no-report"]],
         [run + ["--out", f"{sample}/chio", "--preset", "published", "--matcher", "chio",
                 "--no-report"]],
-        [["match", patch, "--out", f"{sample}/match/m.csv", "--matcher", "pairwise,chio",
+        [["match", patch, "--out", f"{sample}/match/m.csv", "--matcher", "chio",
           "--provenance", f"{sample}/match/chio.csv", "--overlay", f"{sample}/match/m.png"],
          ["reconstruct", patch, "--matches", f"{sample}/match/m.csv", "--out",
           f"{sample}/match/lines.geojson"],

@@ -11,6 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 using ::testing::Not;
@@ -39,62 +40,39 @@ TEST_F(RunPatch, RegistersTheRightEdgesOfNotAlignedLinesUnlessToldNotTo) {
   }
 }
 
-TEST_F(RunPatch, TwoMatchersGiveTheirListsAndOneOfBoth) {
-  const ProgramResult result = run_patch("out", {"--matcher", "pairwise,chio"});
+TEST_F(RunPatch, LinesOfChioTellHowTheyWereAcquired) {
+  const ProgramResult result = run_patch("out", {"--matcher", "chio"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(names_in(path("out/1")),
-              IsSupersetOf({"matches.csv", "unmatched.csv", "verdicts.csv", "matches.pairwise.csv",
-                            "unmatched.pairwise.csv", "verdicts.pairwise.csv", "matches.chio.csv",
-                            "unmatched.chio.csv", "verdicts.chio.csv", "chio.csv"}));
-  const std::string table1 = read(path("out/table1.csv"));
-  EXPECT_THAT(table1,
-              AllOf(HasSubstr("\n1,pairwise,"), HasSubstr("\n1,chio,"), HasSubstr("\n1,both,")));
-  EXPECT_THAT(read(path("out/1/matches.csv")),
-              AllOf(HasSubstr(",pairwise\n"), HasSubstr(",pairwise+chio\n")));
-  EXPECT_THAT(read(path("out/1/unmatched.chio.csv")), HasSubstr("epipolar_degenerate"));
-  // every line of chio tells how it was acquired
+  EXPECT_THAT(read(path("out/table1.csv")), HasSubstr("\n1,chio,"));
+  EXPECT_THAT(read(path("out/1/matches.csv")), HasSubstr(",chio\n"));
+  EXPECT_THAT(read(path("out/1/unmatched.csv")), HasSubstr("epipolar_degenerate"));
   EXPECT_THAT(read(path("out/1/chio.csv")),
               testing::StartsWith("left_id,right_id,linked_right_ids,process,neighbour_left_id,"
                                   "neighbour_height_m,height_limit_m,n_pieces,"));
-  // lines come from the list of both
-  const auto lines = read_json(path("out/1/lines.joint.geojson"))["features"];
-  const std::string matches = read(path("out/1/matches.csv"));
-  std::set<std::pair<std::string, std::string>> matched;  // several lines may come from one match
-  for (const auto& line : lines) {
-    matched.emplace(line["properties"]["left_id"], line["properties"]["right_id"]);
-  }
-  EXPECT_EQ(static_cast<std::ptrdiff_t>(matched.size()),
-            std::count(matches.begin(), matches.end(), '\n') - 1);
-  const ProgramResult again = run_patch("out", {"--matcher", "pairwise,chio", "--resume"});
+  const ProgramResult again = run_patch("out", {"--matcher", "chio", "--resume"});
   EXPECT_THAT(again.err, HasSubstr("7 finished stages skipped"));
 
-  // lists of other matchers do not stay beside those of the next run
+  // the file does not stay beside those of the next run
   ASSERT_EQ(run_patch("out", {"--no-report"}).exit_code, 0);
-  for (const std::string& file : names_in(path("out/1"))) {
-    EXPECT_THAT(file, Not(testing::AnyOf(HasSubstr("chio"), HasSubstr(".pairwise."))));
-  }
+  EXPECT_THAT(names_in(path("out/1")), Not(Contains(HasSubstr("chio"))));
 }
 
 TEST_F(RunSample, RunsWithDifferentMatchersAreComparedByWhatTheyFind) {
-  for (const char* matcher : {"pairwise", "chio", "pairwise,chio"}) {
-    const std::string out =
-        std::string("m/") + (std::string(matcher).size() > 8 ? "both" : matcher);
+  for (const std::string matcher : {"pairwise", "chio"}) {
     ASSERT_EQ(
-        run_patch(out, {"--matcher", matcher, "--no-report", "--methods", "direct"}).exit_code, 0);
+        run_patch("m/" + matcher, {"--matcher", matcher, "--no-report", "--methods", "direct"})
+            .exit_code,
+        0);
   }
-  const ProgramResult result = run({"compare", "m/pairwise", "m/chio", "m/both", "--out", "cmp"});
+  const ProgramResult result = run({"compare", "m/pairwise", "m/chio", "--out", "cmp"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, AllOf(HasSubstr("\n1      pairwise  pairwise  "),
-                                HasSubstr("\n1      chio      chio  "),
-                                HasSubstr("\n1      both      both  ")));
+                                HasSubstr("\n1      chio      chio  ")));
   EXPECT_THAT(read(path("cmp/compare.md")),
-              AllOf(HasSubstr("| 1 | pairwise | pairwise |"), HasSubstr("| 1 | chio | chio |"),
-                    HasSubstr("| 1 | both | both |")));
+              AllOf(HasSubstr("| 1 | pairwise | pairwise |"), HasSubstr("| 1 | chio | chio |")));
   const auto rows = read_json(path("cmp/compare.json"))["rows"];
-  ASSERT_EQ(rows.size(), 3U);
-  // the list of both loses no match that pairwise has
-  EXPECT_GE(rows[2]["correct"], rows[0]["correct"]);
-  EXPECT_EQ(rows[0]["alone"], 0);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_GT(rows[0]["correct"], rows[1]["correct"]);
 
   // other segments have other ids, so that the lines are compared
   write(path("p.yaml"), "extract: {min_length_px: 20}\n");

@@ -101,9 +101,9 @@ TEST_F(TwoViews, GiveWhatTheStagesGiveOneByOne) {
   add_guided(scene, pairs);
   for (std::size_t v = 0; v < 2; ++v)
     EXPECT_EQ(scene.views[v].segments.size(), found.scene.views[v].segments.size());
-  EXPECT_EQ(pairs[0].used().matches.size(), found.pairs[0].used().matches.size());
+  EXPECT_EQ(pairs[0].list.matches.size(), found.pairs[0].list.matches.size());
   const std::vector<Track> tracks = tracks_of(scene, pairs);
-  EXPECT_EQ(tracks.size(), pairs[0].used().matches.size());
+  EXPECT_EQ(tracks.size(), pairs[0].list.matches.size());
   EXPECT_EQ(coordinates(estimate(scene, tracks, used_pairs(pairs))), coordinates(found.lines));
 }
 
@@ -154,9 +154,6 @@ TEST_F(TwoViews, AreTheFewestAndPairsAreOfThem) {
   EXPECT_THROW((void)reconstruct(oriented(), options), std::invalid_argument);
   options = {};
   options.matching.beyond_chio.min_similarity = 2.0;
-  EXPECT_THROW((void)reconstruct(oriented(), options), std::invalid_argument);
-  options = {};
-  options.matching.matchers.clear();
   EXPECT_THROW((void)reconstruct(oriented(), options), std::invalid_argument);
 }
 

@@ -53,7 +53,7 @@ def reconstruct(
     *,
     method: str | None = None,
     preset: str = "default",
-    matchers: Sequence[str] = ("pairwise",),
+    matcher: str = "pairwise",
     config: Config | None = None,
     crs: str = "",
 ) -> Lines:
@@ -66,7 +66,7 @@ def reconstruct(
         and valleys without a visible edge ("planes"); "direct" and "joint" (the default with
         "published") are those of the papers.
     preset: "default" (best-performing settings) or "published" (the papers' method).
-    matchers: "pairwise", "chio" or both. config: a file of `ridgeline config`, or a mapping
+    matcher: "pairwise" or "chio". config: a file of `ridgeline config`, or a mapping
         {"match": {...}, ...}.
     crs: reference system of the matrices, for the lines. Warns if there are too few tie points to
     check the cameras; raises if images and cameras do not match. Returns lines with class, status,
@@ -74,7 +74,7 @@ def reconstruct(
     Raises ValueError, and for files FileNotFoundError and InputFileError.
     """
     options: dict[str, Any] = {
-        "matchers": [matchers] if isinstance(matchers, str) else list(matchers),
+        "matcher": matcher,
         "preset": preset,
         **config_entries(config),
     }

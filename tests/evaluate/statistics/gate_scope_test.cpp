@@ -132,18 +132,14 @@ TEST(FiguresOf, LackOnePatchIsNotHiddenByTheOther) {
   EXPECT_THAT(matching[1].why_missing, HasSubstr("needs reference_matches"));
 }
 
-TEST(FiguresOf, AreOfTheMatchesOfBothMatchersTogether) {
+TEST(FiguresOf, AreOfTheMatcherThatWasRun) {
   ResultFolder folder = results_with(0.1);
   Gate gate = gate_on("total", "quality");
   EXPECT_THAT(scope(gate, folder), ElementsAre("1 pairwise"));
-  folder.matching.rows.push_back({"1", "chio", {80, 10, 20}});
-  folder.matching.rows.push_back({"1", "both", {95, 10, 5}});
-  EXPECT_THAT(scope(gate, folder), ElementsAre("1 both"));
-  gate.method = "chio";
-  EXPECT_THAT(scope(gate, folder), ElementsAre("1 chio"));
+  gate.method = "pairwise";
+  EXPECT_THAT(scope(gate, folder), ElementsAre("1 pairwise"));
   gate.method = "joint";
-  EXPECT_EQ(why_missing(gate, folder),
-            "there is no matcher joint; available: pairwise, chio, both");
+  EXPECT_EQ(why_missing(gate, folder), "there is no matcher joint; available: pairwise");
 }
 
 TEST(FiguresOf, SayWhichPatchesMethodsAndMatchersThereAre) {
