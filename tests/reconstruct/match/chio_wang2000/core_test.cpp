@@ -57,9 +57,16 @@ TEST_F(Core, RejectsWithTheReason) {
   EXPECT_EQ(candidates({}, {}).reason, ChioOutcome::kFlank);
 }
 
-TEST_F(Core, RejectsALineOnTextureAsUneven) {
-  pair_.add_line({{9.0, -5.0, 0.0}, {9.0, 5.0, 0.0}});  // on open ground
-  EXPECT_EQ(candidates({}, {}).reason, ChioOutcome::kUneven);
+TEST_F(Core, RejectsALineOnTextureAlongTheBaseAsUneven) {
+  const auto of_line_to = [&](double y_m) {  // on open ground, where its edge pixels scatter
+    for (View& view : pair_.views) view.segments.clear();
+    pair_.add_line({{-5.0, -7.0, 0.0}, {5.0, y_m, 0.0}});
+    return candidates({}, {});
+  };
+  EXPECT_EQ(of_line_to(-9.0).reason, ChioOutcome::kUneven);  // 7 m/m
+  const CoreCandidates across = of_line_to(-15.0);           // 2.7 m/m
+  ASSERT_EQ(across.list.size(), 1U);
+  EXPECT_TRUE(across.list[0].may_begin);
 }
 
 TEST_F(Core, RejectsASteepLineAndATurnedOne) {
