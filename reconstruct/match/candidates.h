@@ -15,12 +15,13 @@ namespace ridgeline::reconstruct {
 inline constexpr double kMinEpipolarAngle_deg = 5.0;
 /// Candidates kept per segment: those whose single lines are most similar.
 inline constexpr int kMaxCandidates = 8;
+/// Least epipolar overlap of two segments, as a share of the shorter one. Ours.
+inline constexpr double kMinOverlap = 0.3;
 
 /// Which right segments may be the mate of a left one.
 struct CandidateOptions {
   double max_turn_deg = 35.0;   ///< a steep line of a roof turns by up to 20 degrees between views
   double max_slope_deg = 50.0;  ///< largest slope of a roof; a match that implies more is wrong
-  double min_overlap = 0.3;     ///< least epipolar overlap, share of the shorter segment
 
   static constexpr auto fields() {
     using O = CandidateOptions;
@@ -28,9 +29,7 @@ struct CandidateOptions {
         Field{"max_turn_deg", &O::max_turn_deg, 0.0, 90.0,
               "maximum difference in direction of two matched segments"},
         Field{"max_slope_deg", &O::max_slope_deg, 0.0, 89.9,
-              "maximum slope of a line in object space; 89.9 includes vertical edges of walls"},
-        Field{"min_overlap", &O::min_overlap, 0.0, 1.0,
-              "minimum epipolar overlap of two segments, as a share of the shorter one"}};
+              "maximum slope of a line in object space; 89.9 includes vertical edges of walls"}};
   }
 };
 

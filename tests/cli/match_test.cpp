@@ -87,9 +87,9 @@ TEST_F(Match, ByChioTellsHowEachLineCameAbout) {
 
 TEST_F(Match, SaysWhatIsWrongWithItsInput) {
   EXPECT_REFUSED(run({"match", "none.yaml", "--out", "m.csv"}), HasSubstr("none.yaml"));
-  write(path("p.yaml"), "match:\n  min_overlap: 2\n");
+  write(path("p.yaml"), "match:\n  max_turn_deg: 91\n");
   EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", "m.csv", "--config", "p.yaml"}),
-                 HasSubstr("p.yaml: line 2: min_overlap = 2, must be in [0, 1]"));
+                 HasSubstr("p.yaml: line 2: max_turn_deg = 91, must be in [0, 90]"));
   for (const char* input : {"pair/patch.yaml", "pair/left.tif", "pair/matches.csv"}) {
     EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", input}),
                    AllOf(HasSubstr(input), HasSubstr("would be overwritten")));

@@ -150,7 +150,7 @@ TEST_F(TwoViews, AreTheFewestAndPairsAreOfThem) {
                  std::invalid_argument);
   }
   Options options;
-  options.matching.candidates.min_overlap = 2.0;
+  options.matching.candidates.max_slope_deg = 90.0;
   EXPECT_THROW((void)reconstruct(oriented(), options), std::invalid_argument);
   options = {};
   options.matching.beyond_chio.min_similarity = 2.0;

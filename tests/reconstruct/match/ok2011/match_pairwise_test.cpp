@@ -168,7 +168,7 @@ TEST(MatchPairwise, RejectsWhatItCannotWorkWith) {
   one_place.views[1].image_from_local = one_place.views[0].image_from_local;
   EXPECT_THROW((void)match(one_place), std::invalid_argument);
   CandidateOptions options;
-  options.min_overlap = 1.5;
+  options.max_turn_deg = 91.0;
   EXPECT_THROW((void)match(good, options), std::invalid_argument);
 }
 
