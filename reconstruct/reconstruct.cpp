@@ -71,7 +71,7 @@ void add_found(const char* matcher, const std::vector<Correspondence>& matches, 
 
 ChioExtensions chio_extensions(const MatchingOptions& options) {
   return chio_extensions(options.beyond_chio,
-                         match_extensions(options.beyond, options.candidates).look);
+                         match_extensions(options.beyond, options.candidates).appearance);
 }
 
 MatchList by_pairs(const StereoPair& pair,
@@ -113,17 +113,18 @@ std::vector<PairConnection> connections_of(const Scene& scene,
   return all;
 }
 
-/// Beyond the papers: looks for the mates of segments without one where the surface predicts them.
+/// Beyond the papers: looks for the counterparts of segments without one where the surface predicts
+/// them.
 void guide(const StereoPair& pair, const Options& options, PairMatches& matches) {
   const MatchExtensionOptions& beyond = options.matching.beyond;
   if (!beyond.guided || !matches.surface) return;
   MatchList& list = matches.list;
-  GuidedMatches found = guided_matches(pair, *matches.surface, list.matches,
-                                       {options.extraction.edges, options.matching.candidates},
-                                       match_extensions(beyond, options.matching.candidates).look);
-  list.reasons.resize(pair.views[0]->segments.size() + found.mates[0].size());
+  GuidedMatches found = guided_matches(
+      pair, *matches.surface, list.matches, {options.extraction.edges, options.matching.candidates},
+      match_extensions(beyond, options.matching.candidates).appearance);
+  list.reasons.resize(pair.views[0]->segments.size() + found.counterparts[0].size());
   add_found(kGuided, found.matches, list);
-  matches.guided = std::move(found.mates);
+  matches.guided = std::move(found.counterparts);
 }
 
 /// Adjusts each line to the faces beside it that the pair of its first two observations shows.

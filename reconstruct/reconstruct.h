@@ -42,7 +42,7 @@ struct Options {
 };
 
 /// The options for what the papers state without our extensions. The votes of the matching still
-/// rest on the look of single lines. Our calibrated values stand where the papers are silent
+/// rest on the appearance of single lines. Our calibrated values stand where the papers are silent
 /// (weights of the eight constraints, thresholds of the matching, the detection of edges).
 /// Method::kNetwork is not of a paper.
 Options published();

@@ -77,11 +77,11 @@ std::size_t run_tasks(FramesBlock& block, std::size_t first, std::size_t last) {
   return n_failed;
 }
 
-/// "120 tasks; foreseen: 96 min of processor time in all, 900 MiB for the largest".
-std::string foreseen_text(const FramesBlock& block) {
-  Foreseen all;
+/// "120 tasks; estimated: 96 min of processor time in all, 900 MiB for the largest".
+std::string estimate_text(const FramesBlock& block) {
+  Estimated all;
   for (std::size_t i = 0; i < block.n_tasks(); ++i) {
-    const Foreseen task = block.foreseen_of_task(i);
+    const Estimated task = block.estimate_of_task(i);
     all.seconds += task.seconds;
     all.memory_mib = std::max(all.memory_mib, task.memory_mib);
   }
@@ -107,7 +107,7 @@ int run_block(const BlockArguments& a, int jobs) {
   }
   if (a.plan) {
     say("{}: {}. Next: ridgeline block {} --out {} --task 1-{}, then --merge\n", plan.string(),
-        foreseen_text(block), a.file, a.out, block.n_tasks());
+        estimate_text(block), a.file, a.out, block.n_tasks());
     return kDone;
   }
   if (a.slurm) {

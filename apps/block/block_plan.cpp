@@ -49,8 +49,8 @@ ordered_json json_of(const PlannedPatch& patch) {
           {"height_range_m", patch.height_range_m},
           {"images", patch.images},
           {"windows_mpx", patch.windows_mpx},
-          {"foreseen_s", patch.foreseen_s},
-          {"foreseen_mib", patch.foreseen_mib}};
+          {"estimated_s", patch.estimated_s},
+          {"estimated_mib", patch.estimated_mib}};
 }
 
 PlannedPatch patch_of(const json& entry) {
@@ -62,8 +62,8 @@ PlannedPatch patch_of(const json& entry) {
   patch.height_range_m = entry.at("height_range_m");
   patch.images = entry.at("images").get<std::vector<std::string>>();
   patch.windows_mpx = entry.at("windows_mpx");
-  patch.foreseen_s = entry.at("foreseen_s");
-  patch.foreseen_mib = entry.at("foreseen_mib");
+  patch.estimated_s = entry.at("estimated_s");
+  patch.estimated_mib = entry.at("estimated_mib");
   return patch;
 }
 

@@ -29,8 +29,8 @@ struct PlannedPatch {
   std::array<double, 2> height_range_m{};
   std::vector<std::string> images;  ///< ids of frames, the base image first
   double windows_mpx = 0.0;         ///< all windows together
-  double foreseen_s = 0.0;          ///< processor time of its task
-  double foreseen_mib = 0.0;        ///< memory of its task
+  double estimated_s = 0.0;         ///< processor time of its task
+  double estimated_mib = 0.0;       ///< memory of its task
 };
 
 /// How a block is cut into patches: what `--plan` writes and all other steps read.

@@ -52,17 +52,17 @@ std::size_t FramesBlock::n_tasks() const { return plan_->patches.size(); }
 
 std::string FramesBlock::name_of(std::size_t i) const { return "patch " + plan_->patches.at(i).id; }
 
-Foreseen FramesBlock::foreseen_of_task(std::size_t i) const {
+Estimated FramesBlock::estimate_of_task(std::size_t i) const {
   const PlannedPatch& patch = plan_->patches.at(i);
-  return {patch.foreseen_s, patch.foreseen_mib};
+  return {patch.estimated_s, patch.estimated_mib};
 }
 
-Foreseen FramesBlock::foreseen_of_merge() const {
+Estimated FramesBlock::estimate_of_merge() const {
   std::uint64_t lidar_bytes = 0;
   for (const FileState& file : plan_->inputs) {
     if (file.role == "cloud") lidar_bytes += file.bytes;
   }
-  return apps::foreseen_of_merge(n_tasks(), lidar_bytes);
+  return apps::estimate_of_merge(n_tasks(), lidar_bytes);
 }
 
 void FramesBlock::run_task(std::size_t i) {

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMaxElements = 1000;
 /// Slurm takes 0.2 s to start an element.
 constexpr double kMinElementTime_s = 60.0;
-/// Margins over what is foreseen: hosts differ and share their disks; an element may wait for its
+/// Margins over what is estimated: hosts differ and share their disks; an element may wait for its
 /// second attempt; the shell and libraries need memory, too.
 constexpr double kTimeMargin = 3.0;
 constexpr double kMoreTime_s = 600.0;
@@ -62,9 +62,9 @@ std::size_t n_elements(const SlurmJob& job) {
   return quotient_up(job.n_tasks, tasks_per_element(job));
 }
 
-/// The limit of time for work that is foreseen to take so long.
-int limit_min(double foreseen_s) {
-  return static_cast<int>(std::ceil((kTimeMargin * foreseen_s + kMoreTime_s) / 60.0));
+/// The limit of time for work that is estimated to take so long.
+int limit_min(double estimated_s) {
+  return static_cast<int>(std::ceil((kTimeMargin * estimated_s + kMoreTime_s) / 60.0));
 }
 
 int element_min(const SlurmJob& job) {
@@ -72,8 +72,8 @@ int element_min(const SlurmJob& job) {
   return limit_min(std::min(slowest_s, std::max(job.total_task_s, job.task_s)));
 }
 
-int limit_mib(double foreseen_mib) {
-  return static_cast<int>(std::ceil(kMemoryMargin * foreseen_mib + kMoreMemoryMib));
+int limit_mib(double estimated_mib) {
+  return static_cast<int>(std::ceil(kMemoryMargin * estimated_mib + kMoreMemoryMib));
 }
 
 /// A label, after the folder of the block: #SBATCH lines have rules of their own for blanks and

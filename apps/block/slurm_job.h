@@ -15,11 +15,11 @@ struct SlurmJob {
   std::string folder;              ///< absolute path of DIR, which holds the scripts
   std::size_t n_tasks = 0;         ///< at least 1
   int threads = 1;                 ///< of a task and of the merge, at least 1
-  double task_s = 0.0;             ///< foreseen for the slowest task
-  double task_mib = 0.0;           ///< foreseen for the largest task
-  double total_task_s = 0.0;       ///< foreseen for all tasks one after another
-  double merge_s = 0.0;            ///< foreseen
-  double merge_mib = 0.0;          ///< foreseen
+  double task_s = 0.0;             ///< estimated for the slowest task
+  double task_mib = 0.0;           ///< estimated for the largest task
+  double total_task_s = 0.0;       ///< estimated for all tasks one after another
+  double merge_s = 0.0;            ///< estimated
+  double merge_mib = 0.0;          ///< estimated
 };
 
 /// tasks.sbatch: an array of at most 1000 elements, which is what Slurm takes by default. An

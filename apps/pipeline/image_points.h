@@ -15,11 +15,11 @@ namespace ridgeline::apps {
 /// extension of images.
 std::optional<std::string> image_file_in(const std::string& folder, const io::OrientedImage& image);
 
-/// Points that neighbouring images of an orientation both show, found by their look alone in the
-/// files of the images, by number: in at most four pairs of images near each other. Observations
-/// are in pixels of the cameras; files of another size than the camera's, but of its shape, are
-/// scaled, and large ones are reduced to 16 million pixels. Pairs whose files are not there or
-/// cannot be read, are too large or have another shape, give none.
+/// Points that neighbouring images of an orientation both show, found by their appearance alone in
+/// the files of the images, by number: in at most four pairs of images near each other.
+/// Observations are in pixels of the cameras; files of another size than the camera's, but of its
+/// shape, are scaled, and large ones are reduced to 16 million pixels. Pairs whose files are not
+/// there or cannot be read, are too large or have another shape, give none.
 std::vector<io::PointObservation> find_points_in_files(const io::Orientation& orientation,
                                                        const io::ImageFiles& files);
 /// The same in the files that image_file_in() finds in a folder.

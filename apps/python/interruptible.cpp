@@ -17,13 +17,13 @@ bool RunningCall::is_over() {
 }
 
 void RunningCall::end_others() {
-  constexpr std::chrono::milliseconds kBetweenLooks{1};
+  constexpr std::chrono::milliseconds kBetweenAppearances{1};
   ending_thread = std::this_thread::get_id();
   Interruption::request();
   while (n_running > 0) {
     {
       const py::gil_scoped_release release;
-      std::this_thread::sleep_for(kBetweenLooks);
+      std::this_thread::sleep_for(kBetweenAppearances);
     }
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();  // Ctrl-C ends the wait
   }

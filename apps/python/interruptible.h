@@ -50,7 +50,7 @@ inline bool is_main_thread() {
 /// it begins anew. Throws Interrupted if Python ends meanwhile.
 template <typename Work>
 std::invoke_result_t<Work> uninterrupted(const Work& work) {
-  constexpr std::chrono::milliseconds kBetweenLooks{1};
+  constexpr std::chrono::milliseconds kBetweenAppearances{1};
   for (;;) {
     try {
       Interruption::check();
@@ -58,7 +58,7 @@ std::invoke_result_t<Work> uninterrupted(const Work& work) {
     } catch (const Interrupted&) {
       while (Interruption::is_standing()) {
         if (RunningCall::is_over()) throw;
-        std::this_thread::sleep_for(kBetweenLooks);
+        std::this_thread::sleep_for(kBetweenAppearances);
       }
     }
   }
@@ -69,9 +69,9 @@ std::invoke_result_t<Work> uninterrupted(const Work& work) {
 template <typename Work>
 std::invoke_result_t<Work> in_a_thread(const Work& work) {
   namespace py = pybind11;
-  constexpr std::chrono::milliseconds kBetweenLooks{50};
+  constexpr std::chrono::milliseconds kBetweenAppearances{50};
   auto result = std::async(std::launch::async, work);
-  while (result.wait_for(kBetweenLooks) != std::future_status::ready) {
+  while (result.wait_for(kBetweenAppearances) != std::future_status::ready) {
     const py::gil_scoped_acquire acquire;
     if (PyErr_CheckSignals() == 0) continue;
     const py::error_already_set raised;

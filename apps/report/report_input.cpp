@@ -288,7 +288,7 @@ PathShortener path_shortener(const std::string& folder,
 
 ReportInput read_report_input(const std::string& folder) {
   if (!fs::is_directory(folder)) {
-    io::refuse_other_kind(folder, io::FileGroup::kResultFolder);
+    io::require_kind(folder, io::FileGroup::kResultFolder);
     throw io::IoError(folder, "is not a results folder");
   }
   ReportInput input;

@@ -248,7 +248,7 @@ void add_geometry(const ReportPatch& patch, const ReportMethod& method, std::siz
       json["seen_end"] = coordinates(method.segments[i]->end);
     }
   }
-  json["sightings"] = observations_json(patch, line);
+  json["observations"] = observations_json(patch, line);
   json["construction"] = line.status;
   if (line.n_points) json["n_points"] = *line.n_points;
   if (line.n_images) json["n_images"] = *line.n_images;

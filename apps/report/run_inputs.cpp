@@ -63,12 +63,12 @@ std::string RunInputs::unchanged(const std::string& path) const {
     // a folder was recorded file by file
     const bool is_meant = is_folder ? fs::path(input.path).parent_path() / "" == fs::path(path) / ""
                                     : input.path == path;
-    if (is_meant) refuse_changed(input);
+    if (is_meant) require_unchanged(input);
   }
   return path;
 }
 
-void RunInputs::refuse_changed(const Input& input) {
+void RunInputs::require_unchanged(const Input& input) {
   if (!fs::exists(input.path)) throw io::IoError(input.path, "no longer exists");
   if (!fs::is_regular_file(input.path)) return;
   const std::uintmax_t bytes = fs::file_size(input.path);

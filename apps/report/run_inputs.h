@@ -55,7 +55,7 @@ class RunInputs {
     std::string role, path;
     std::uint64_t bytes = 0;
   };
-  static void refuse_changed(const Input& input);
+  static void require_unchanged(const Input& input);
 
   std::vector<Input> inputs_;
   evaluate::Json options_;

@@ -25,7 +25,7 @@ std::vector<evaluate::ReferenceLine> read_references(const io::Patch& patch,
                                                      const io::Crs& assume_crs,
                                                      results::RunRecord& record) {
   const io::LineSet set = io::read_lines(*patch.reference_lines, {.assume_crs = assume_crs});
-  results::refuse_mismatch("reference lines and patch", set.path, set.crs, patch.crs);
+  results::require_same_frame("reference lines and patch", set.path, set.crs, patch.crs);
   record.add_warnings(results::own_warnings(set));
   return results::reference_lines_of(set, patch.frame);
 }

@@ -67,7 +67,7 @@ void check_run(const io::Patch& patch,
   io::ReadOptions cloud;
   cloud.assume_crs = options.assume_crs;
   const io::Crs of_cloud = io::CloudFiles(patch.lidar, cloud).crs();
-  results::refuse_mismatch("patch and cloud", patch.path, patch.crs, of_cloud);
+  results::require_same_frame("patch and cloud", patch.path, patch.crs, of_cloud);
   check_scale(patch, of_cloud);
 }
 

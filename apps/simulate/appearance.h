@@ -13,8 +13,8 @@ namespace ridgeline::simulate {
 /// Reflectance (0..1) or radiance in red, green, blue and near infrared.
 using Spectrum = Eigen::Array4f;
 
-/// The look of the surfaces of a scene. It depends on the surface point and a seed alone, so that
-/// all views agree, and has no detail below the given footprint.
+/// The appearance of the surfaces of a scene. It depends on the surface point and a seed alone, so
+/// that all views agree, and has no detail below the given footprint.
 class Appearance {
  public:
   /// Keeps a reference to the scene. `texture`: contrast of the textures, 0: flat colours.

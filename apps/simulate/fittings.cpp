@@ -30,7 +30,7 @@ struct Panel {
 };
 
 /// Adds a panel that stands `height_m` off its plane, with its narrow sides.
-void add_panel(const Panel& panel, double height_m, const SurfaceLook& look, Mesh& mesh) {
+void add_panel(const Panel& panel, double height_m, const SurfaceAppearance& look, Mesh& mesh) {
   const Eigen::Vector3d up = height_m * panel.normal();
   const std::array<Eigen::Vector3d, 4> foot{panel.at(-1, -1), panel.at(1, -1), panel.at(1, 1),
                                             panel.at(-1, 1)};
@@ -49,11 +49,11 @@ Panel shrunk(Panel panel, double by_m) {
 }
 
 /// Adds a pane in its frame.
-void add_window(const Panel& panel, const SurfaceLook& frame, Mesh& mesh) {
+void add_window(const Panel& panel, const SurfaceAppearance& frame, Mesh& mesh) {
   constexpr double kFrameM = 0.09;
   constexpr double kFrameHeightM = 0.05;
   constexpr double kPaneHeightM = 0.06;
-  SurfaceLook pane = frame;
+  SurfaceAppearance pane = frame;
   pane.material = Material::kGlass;
   add_panel(panel, kFrameHeightM, frame, mesh);
   add_panel(shrunk(panel, kFrameM), kPaneHeightM, pane, mesh);
@@ -113,7 +113,7 @@ void add_windows(const Wall& wall, int building_id, Random& random, Mesh& mesh) 
   const double half_u_m = random.uniform(0.4, 0.65);
   const double half_v_m = random.uniform(0.55, 0.75);
   const int columns = static_cast<int>(box.sizes().x() / random.uniform(2.0, 2.8));
-  const SurfaceLook frame{building_id, kNone, Material::kFrame};
+  const SurfaceAppearance frame{building_id, kNone, Material::kFrame};
   for (int column = 0; column < columns; ++column) {
     const double along = box.min().x() + (column + 0.5) / columns * box.sizes().x();
     double next_m = box.min().y() + kSillM;

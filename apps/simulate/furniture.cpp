@@ -58,7 +58,7 @@ void add_tree(const Eigen::Vector3d& foot,
   const double shadow_m2 = std::numbers::pi * crown_radius_m * crown_radius_m;
   const int count = static_cast<int>(kOpticalDepth * shadow_m2 / (kMeanCosine * kLeafAreaM2));
   // bulges make the crown rough: the radius varies with the direction
-  const SurfaceLook leaf{kNone, kNone, Material::kFoliage, next_object_id(mesh)};
+  const SurfaceAppearance leaf{kNone, kNone, Material::kFoliage, next_object_id(mesh)};
   const Eigen::Vector3d wave{random.uniform(2.0, 4.0), random.uniform(2.0, 4.0),
                              random.uniform(2.0, 4.0)};
   for (int i = 0; i < count; ++i) {
@@ -78,7 +78,7 @@ void add_tree(const Eigen::Vector3d& foot,
 }
 
 void add_car(const Car& car, Mesh& mesh) {
-  const SurfaceLook look{kNone, kNone, Material::kCar, next_object_id(mesh)};
+  const SurfaceAppearance look{kNone, kNone, Material::kCar, next_object_id(mesh)};
   const double foot_z = car.foot.z();
   add_prism(body_of(car), foot_z - 0.1, foot_z + car.bonnet_m, look, mesh);
   add_prism(cabin_of(car), foot_z + car.bonnet_m, foot_z + car.roof_m, look, mesh);

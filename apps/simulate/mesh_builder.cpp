@@ -3,7 +3,9 @@
 
 namespace ridgeline::simulate {
 
-void add_polygon(const std::vector<Eigen::Vector3d>& corners, const SurfaceLook& look, Mesh& mesh) {
+void add_polygon(const std::vector<Eigen::Vector3d>& corners,
+                 const SurfaceAppearance& look,
+                 Mesh& mesh) {
   const auto first = static_cast<std::int32_t>(mesh.vertices.size());
   const auto n = static_cast<std::int32_t>(corners.size());
   if (n < 3) return;
@@ -20,7 +22,7 @@ void add_polygon(const std::vector<Eigen::Vector3d>& corners, const SurfaceLook&
 void add_prism(const ConvexPolygon& outline,
                double low_z,
                double high_z,
-               const SurfaceLook& look,
+               const SurfaceAppearance& look,
                Mesh& mesh) {
   std::vector<Eigen::Vector3d> top;
   for (const Eigen::Vector2d& x : outline) top.emplace_back(x.x(), x.y(), high_z);

@@ -9,7 +9,7 @@
 
 namespace ridgeline::simulate {
 
-struct SurfaceLook {
+struct SurfaceAppearance {
   int building_id = kNone;
   int plane_id = kNone;
   Material material = Material::kGround;
@@ -21,10 +21,15 @@ inline int next_object_id(const Mesh& mesh) { return static_cast<int>(mesh.verti
 
 /// Adds a convex planar polygon (counter-clockwise seen from outside) as a fan of triangles; fewer
 /// than three corners add nothing.
-void add_polygon(const std::vector<Eigen::Vector3d>& corners, const SurfaceLook& look, Mesh& mesh);
+void add_polygon(const std::vector<Eigen::Vector3d>& corners,
+                 const SurfaceAppearance& look,
+                 Mesh& mesh);
 
 /// Adds top and sides of a body with vertical walls between two heights; no bottom.
-void add_prism(
-    const ConvexPolygon& outline, double low_z, double high_z, const SurfaceLook& look, Mesh& mesh);
+void add_prism(const ConvexPolygon& outline,
+               double low_z,
+               double high_z,
+               const SurfaceAppearance& look,
+               Mesh& mesh);
 
 }  // namespace ridgeline::simulate

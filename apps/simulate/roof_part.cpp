@@ -29,8 +29,8 @@ void add_plane(const RoofPart& part, const PartFace& face, Scene& scene) {
 void add_slab(const RoofPart& part, const PartFace& face, Mesh& mesh) {
   const ConvexPolygon& corners = face.cell.corners;
   const bool chimney = part.kind == PlaneKind::kChimney;
-  const SurfaceLook top{part.building_id, face.plane_id,
-                        chimney ? Material::kChimney : Material::kRoof};
+  const SurfaceAppearance top{part.building_id, face.plane_id,
+                              chimney ? Material::kChimney : Material::kRoof};
   std::vector<Eigen::Vector3d> upper;
   for (const Eigen::Vector2d& x : corners) upper.push_back(lift(x, face.height(x)));
   add_polygon(upper, top, mesh);
@@ -51,7 +51,8 @@ void add_slab(const RoofPart& part, const PartFace& face, Mesh& mesh) {
 /// Adds the piece of each wall below one face, up to the underside of the roof.
 void add_walls(const RoofPart& part, const PartFace& face, Mesh& mesh) {
   const bool chimney = part.kind == PlaneKind::kChimney;
-  const SurfaceLook look{part.building_id, kNone, chimney ? Material::kChimney : Material::kWall};
+  const SurfaceAppearance look{part.building_id, kNone,
+                               chimney ? Material::kChimney : Material::kWall};
   const std::vector<PlanFunction> cell = half_planes(face.cell.corners);
   for (std::size_t i = 0; i < part.walls.size(); ++i) {
     const Segment2 wall{part.walls[i], part.walls[(i + 1) % part.walls.size()]};

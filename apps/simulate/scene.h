@@ -17,7 +17,8 @@
 
 namespace ridgeline::simulate {
 
-/// What a surface is made of. It decides the laser class, the returns and the look in an image.
+/// What a surface is made of. It decides the laser class, the returns and the appearance in an
+/// image.
 enum class Material : std::uint8_t {
   kGround,
   kStreet,

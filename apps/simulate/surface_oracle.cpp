@@ -53,9 +53,9 @@ Eigen::Vector2d SurfaceOracle::pixel_of(std::size_t view, const Eigen::Vector3d&
   return project(views_[view].image_from_local, x);
 }
 
-std::optional<Eigen::Vector2d> SurfaceOracle::mate_of(std::size_t from,
-                                                      std::size_t to,
-                                                      const Eigen::Vector2d& x_px) const {
+std::optional<Eigen::Vector2d> SurfaceOracle::counterpart_of(std::size_t from,
+                                                             std::size_t to,
+                                                             const Eigen::Vector2d& x_px) const {
   const auto sight = seen_at(from, x_px);
   if (!sight || !visible(to, sight->x)) return std::nullopt;
   return pixel_of(to, sight->x);
@@ -92,8 +92,8 @@ VisibleVerdict judge_match(const SurfaceOracle& oracle,
     const Eigen::Vector2d x = left.start + (i + 0.5) / samples * (left.end - left.start);
     for (const std::size_t side : {0U, 1U}) {
       const Eigen::Vector2d n = side == 0 ? left_normal : Eigen::Vector2d(-left_normal);
-      const auto near = oracle.mate_of(0, 1, x + kNearPx * n);
-      const auto far = oracle.mate_of(0, 1, x + kFarPx * n);
+      const auto near = oracle.counterpart_of(0, 1, x + kNearPx * n);
+      const auto far = oracle.counterpart_of(0, 1, x + kFarPx * n);
       if (!near || !far) continue;
       const Eigen::Vector2d on_edge = *near - kNearPx / (kFarPx - kNearPx) * (*far - *near);
       distances_px[side].push_back(std::abs(right_normal.dot(on_edge - right.start)));

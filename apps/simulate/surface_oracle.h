@@ -42,9 +42,9 @@ class SurfaceOracle {
 
   /// The pixel of view `to` that shows the same surface point as a pixel of view `from`; nothing
   /// where `to` cannot see the point.
-  [[nodiscard]] std::optional<Eigen::Vector2d> mate_of(std::size_t from,
-                                                       std::size_t to,
-                                                       const Eigen::Vector2d& x_px) const;
+  [[nodiscard]] std::optional<Eigen::Vector2d> counterpart_of(std::size_t from,
+                                                              std::size_t to,
+                                                              const Eigen::Vector2d& x_px) const;
 
   /// Whether two pixels show one smooth surface: the same material, object and plane.
   [[nodiscard]] bool same_surface(const Sight& a, const Sight& b) const;
@@ -57,17 +57,18 @@ class SurfaceOracle {
 
 /// How well segments of the first two views show the same thing, by the surfaces alone.
 struct VisibleVerdict {
-  /// Median distance of the true mates of the left segment to the right line; infinite where none
-  /// can be seen.
+  /// Median distance of the true counterparts of the left segment to the right line; infinite where
+  /// none can be seen.
   double right_distance_px = 0.0;
   double visible_share = 0.0;  ///< share of the left segment whose surface the right view sees
-  double overlap_share = 0.0;  ///< share of the left segment with its true mate on the right one
+  double overlap_share =
+      0.0;  ///< share of the left segment with its true counterpart on the right one
 };
 
 /// Follows the surface along both flanks of the left segment into the right view. An edge lies on
 /// the surface of one of its sides at least; the other may be a background far below, so the better
-/// side counts. On each side the mates of the points close beside the edge are extrapolated to the
-/// edge. At the edge itself it is chance which surface a pixel shows.
+/// side counts. On each side the counterparts of the points close beside the edge are extrapolated
+/// to the edge. At the edge itself it is chance which surface a pixel shows.
 VisibleVerdict judge_match(const SurfaceOracle& oracle,
                            const Segment2& left,
                            const Segment2& right);

@@ -114,9 +114,9 @@ Eigen::AlignedBox3d bounds_m_of(const io::LineSet& set) {
   return box;
 }
 
-void refuse_foreign_frame(const Evaluation& evaluation,
-                          const io::LineSet& set,
-                          io::CloudFiles& cloud) {
+void require_frame_of_cloud(const Evaluation& evaluation,
+                            const io::LineSet& set,
+                            io::CloudFiles& cloud) {
   const evaluate::FrameCheck check = evaluate::check_frame(evaluation.lines, kFrameTolerance_m);
   if (check.same_frame) return;
   const Eigen::AlignedBox3d cloud_box = cloud.extent_in_world();
@@ -162,7 +162,7 @@ nlohmann::ordered_json cloud_facts(const CloudReadings& readings, const io::Clou
   return json;
 }
 
-void refuse_empty(const io::PointCloud& cloud, const std::string& path) {
+void require_points(const io::PointCloud& cloud, const std::string& path) {
   if (cloud.n_read == 0) {
     throw io::IoError(path, "has no points to judge lines against");
   }
@@ -228,7 +228,7 @@ JudgedFiles finish_judging(PreparedLines prepared,
   record.set("cloud", cloud_facts(batches.readings, cloud));
   record.end_stage("judge");
 
-  if (!options.area) refuse_empty(facts, cloud.path());
+  if (!options.area) require_points(facts, cloud.path());
   add_warnings(facts, judged);
   judged.unread_clouds = cloud.unread_paths();
   std::ranges::move(prepared.reference_warnings, std::back_inserter(judged.warnings));
@@ -242,7 +242,8 @@ JudgedFiles finish_judging(PreparedLines prepared,
     judged.evaluations.push_back(evaluation_of(judged.line_sets[i], std::move(batches.results[i]),
                                                shifts[i], judged.frame, options));
     if (options.area) judged.evaluations.back().area = std::move(judged.areas[i]);
-    if (!options.area) refuse_foreign_frame(judged.evaluations.back(), judged.line_sets[i], cloud);
+    if (!options.area)
+      require_frame_of_cloud(judged.evaluations.back(), judged.line_sets[i], cloud);
     if (!batches.decoys.empty()) {
       add_decoys(batches.decoys[i], lines[i], judged.evaluations.back());
       check_follows_cloud(judged.evaluations.back(), judged.line_sets[i].path, options,

@@ -78,11 +78,11 @@ void judge_models(io::CloudFiles& cloud,
 
 }  // namespace
 
-void refuse_mismatch(std::string_view what,
-                     const std::string& path,
-                     const io::Crs& crs,
-                     const io::Crs& other,
-                     std::vector<std::string>* warnings) {
+void require_same_frame(std::string_view what,
+                        const std::string& path,
+                        const io::Crs& crs,
+                        const io::Crs& other,
+                        std::vector<std::string>* warnings) {
   const io::CrsAgreement agreement = io::compare(crs, other);
   if (!agreement.compatible) {
     throw io::IoError(path, fmt::format("{} do not match: {}; transform one of them, or declare "

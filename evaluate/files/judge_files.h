@@ -91,11 +91,11 @@ JudgedFiles judge_lines(LinesToJudge lines,
 /// Throws IoError for the file at `path`, naming both reference systems, if its own and the other
 /// do not agree. `what` names the two things in the message, "lines and cloud". What one of the two
 /// systems leaves open becomes a warning.
-void refuse_mismatch(std::string_view what,
-                     const std::string& path,
-                     const io::Crs& crs,
-                     const io::Crs& other,
-                     std::vector<std::string>* warnings = nullptr);
+void require_same_frame(std::string_view what,
+                        const std::string& path,
+                        const io::Crs& crs,
+                        const io::Crs& other,
+                        std::vector<std::string>* warnings = nullptr);
 
 /// The warnings of the reader of the lines, each behind the file's path.
 std::vector<std::string> own_warnings(const io::LineSet& set);

@@ -53,7 +53,7 @@ std::string OutputFolder::path(std::string_view name) const {
   if (inputs_.contains(fs::weakly_canonical(file).string())) {
     throw io::IoError(file.string(), "is an input and would be overwritten; choose another folder");
   }
-  if (!fs::is_directory(file)) lock_->refuse_foreign(std::string(name));
+  if (!fs::is_directory(file)) lock_->require_own(std::string(name));
   return file.string();
 }
 

@@ -61,10 +61,10 @@ io::Crs common_crs(const io::CloudFiles& cloud,
 }
 
 /// Throws IoError unless one factor by axis is right for nearly all lines.
-void refuse_varying_scale(const std::string& path,
-                          const io::Crs& crs,
-                          const Places& places,
-                          const io::GridScale& middle) {
+void require_constant_scale(const std::string& path,
+                            const io::Crs& crs,
+                            const Places& places,
+                            const io::GridScale& middle) {
   constexpr double kCut = 0.05;  // share left out at each end, as single lines may lie anywhere
   const auto refuse = [&](const std::string& why) {
     throw io::IoError(path, fmt::format("{}; project lines and cloud, for instance to {}", why,
@@ -106,7 +106,7 @@ void set_plan_scale(const std::vector<io::LineSet>& sets,
   }
   const std::optional<io::GridScale> scale = io::grid_scale(crs, middle);
   if (!scale || scale->is_true()) return;
-  refuse_varying_scale(cloud.path(), crs, places, *scale);
+  require_constant_scale(cloud.path(), crs, places, *scale);
   cloud.set_plan_scale(scale->scale);
   warnings.push_back(
       fmt::format("{}: the map scale of \"{}\" is {}; coordinates of cloud and lines are divided "

@@ -127,7 +127,7 @@ void require_same_making(const std::vector<AreaRun>& runs) {
   }
 }
 
-void refuse_overlaps(const std::vector<AreaRun>& runs) {
+void require_disjoint(const std::vector<AreaRun>& runs) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       const auto& a = runs[i].bounds;
@@ -279,7 +279,7 @@ PooledRuns pool_runs(const std::vector<std::string>& folders) {
     for (const std::string& folder : folders) pooled.runs.push_back(read_run(folder));
     std::ranges::sort(pooled.runs, {}, &AreaRun::bounds);
     require_same_making(pooled.runs);
-    refuse_overlaps(pooled.runs);
+    require_disjoint(pooled.runs);
     pooled.inputs = inputs_of(pooled.runs);
     pooled.options = pooled.runs.front().run.at("options");
     pooled.options.erase("area");

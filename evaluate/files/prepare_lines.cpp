@@ -43,7 +43,7 @@ std::vector<evaluate::ReferenceLine> references_beside(const io::CloudFiles& clo
                                                        io::LineSet set,
                                                        std::vector<std::string>& warnings) {
   take_unit_of(cloud, set);
-  refuse_mismatch("lines and cloud", set.path, set.crs, cloud.crs(), &warnings);
+  require_same_frame("lines and cloud", set.path, set.crs, cloud.crs(), &warnings);
   std::ranges::move(own_warnings(set), std::back_inserter(warnings));
   return reference_lines_of(set, cloud.frame());
 }
@@ -54,7 +54,7 @@ LineSets lines_beside(const io::CloudFiles& cloud,
   LineSets lines;
   for (io::LineSet& set : judged.line_sets) {
     take_unit_of(cloud, set);
-    refuse_mismatch("lines and cloud", set.path, set.crs, cloud.crs(), &judged.warnings);
+    require_same_frame("lines and cloud", set.path, set.crs, cloud.crs(), &judged.warnings);
     lines.push_back(
         judged_lines_of(set, cloud.frame(), options.patch, options.max_aligned_angle_deg));
   }
@@ -83,7 +83,7 @@ PreparedLines prepare_lines(LinesToJudge to_judge,
   judged.frame = cloud.frame();
   if (options.patch && options.patch->crs.known()) {
     const io::Patch& patch = *options.patch;
-    refuse_mismatch("patch and cloud", patch.path, patch.crs, cloud.crs(), &judged.warnings);
+    require_same_frame("patch and cloud", patch.path, patch.crs, cloud.crs(), &judged.warnings);
   }
   prepared.lines = lines_beside(cloud, options, judged);
   if (to_judge.references) {

@@ -86,7 +86,7 @@ evaluate::ResultFolder read_result_folder(const std::string& folder) {
       "is not a results folder; must be the `out` of run, block, demo, evaluate or pool";
   if (!fs::exists(folder)) throw io::MissingFileError(folder, kWhat);
   if (!fs::is_directory(folder)) {
-    io::refuse_other_kind(folder, io::FileGroup::kResultFolder);
+    io::require_kind(folder, io::FileGroup::kResultFolder);
     throw io::IoError(folder, kWhat);
   }
   evaluate::ResultFolder results;

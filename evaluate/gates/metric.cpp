@@ -92,12 +92,12 @@ constexpr std::array kTrackMetrics{
         {"edge_recall", "true edges found by a track / all visible in two images", kAsShare},
         [](const TrackCounts& c) { return c.edge_recall(); },
         [](const TrackCounts& c) { return c.n_edges; }},
-    TrackMetric{
-        {"sighting_recall", "their images in these tracks / all images that show them", kAsShare},
-        [](const TrackCounts& c) { return c.sighting_recall(); },
-        [](const TrackCounts& c) { return c.n_shown; }},
-    TrackMetric{{"sighting_precision", "correct observations / (correct + wrong)", kAsShare},
-                [](const TrackCounts& c) { return c.sighting_precision(); },
+    TrackMetric{{"observation_recall", "their images in these tracks / all images that show them",
+                 kAsShare},
+                [](const TrackCounts& c) { return c.observation_recall(); },
+                [](const TrackCounts& c) { return c.n_shown; }},
+    TrackMetric{{"observation_precision", "correct observations / (correct + wrong)", kAsShare},
+                [](const TrackCounts& c) { return c.observation_precision(); },
                 [](const TrackCounts& c) { return c.n_right + c.n_wrong; }}};
 
 struct BuildingMetric {

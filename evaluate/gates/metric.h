@@ -27,7 +27,7 @@ std::vector<Metric> accuracy_metrics();
 /// Figures of Table 1: correctness, completeness, quality.
 std::vector<Metric> matching_metrics();
 
-/// Figures of tracks: edge_recall, sighting_recall, sighting_precision.
+/// Figures of tracks: edge_recall, observation_recall, observation_precision.
 std::vector<Metric> track_metrics();
 
 /// Figures of buildings, whose lines name them: buildings_within_m.

@@ -44,25 +44,27 @@ std::vector<Equation> rows_of(std::span<const LineEvaluation> lines) {
 
 /// The directions that the planes tell, as columns; the other ones complete them to a basis.
 struct Basis {
-  Eigen::Matrix3Xd told, untold;
+  Eigen::Matrix3Xd told, unobservable;
 };
 
-/// The basis with untold directions that are nearly level made level. The shift along them is taken
-/// as 0: along slightly tilted ones, a shift of 45 m in height would be a shift of metres in plan.
+/// The basis with unobservable directions that are nearly level made level. The shift along them is
+/// taken as 0: along slightly tilted ones, a shift of 45 m in height would be a shift of metres in
+/// plan.
 Basis levelled(Basis basis) {
-  const Eigen::Index n_untold = basis.untold.cols();
-  if (n_untold == 0 || n_untold == 3 || basis.untold.row(2).norm() > kMaxUndeterminedPart)
+  const Eigen::Index n_unobservable = basis.unobservable.cols();
+  if (n_unobservable == 0 || n_unobservable == 3 ||
+      basis.unobservable.row(2).norm() > kMaxUndeterminedPart)
     return basis;
   const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
   const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-  if (n_untold == 2) {
+  if (n_unobservable == 2) {
     basis.told = z;
-    basis.untold << x, y;
+    basis.unobservable << x, y;
   } else {
-    const Eigen::Vector2d level = basis.untold.col(0).head<2>().normalized();
+    const Eigen::Vector2d level = basis.unobservable.col(0).head<2>().normalized();
     basis.told << z, level.x() * y - level.y() * x;
-    basis.untold = level.x() * x + level.y() * y;
+    basis.unobservable = level.x() * x + level.y() * y;
   }
   return basis;
 }
@@ -75,9 +77,9 @@ Basis basis_of(const std::vector<Equation>& rows) {
   scatter /= static_cast<double>(rows.size());
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
   const double least = kNormalError_rad * kNormalError_rad / kMaxPull;
-  const Eigen::Index n_untold = (solver.eigenvalues().array() < least).count();
-  return levelled(
-      {solver.eigenvectors().rightCols(3 - n_untold), solver.eigenvectors().leftCols(n_untold)});
+  const Eigen::Index n_unobservable = (solver.eigenvalues().array() < least).count();
+  return levelled({solver.eigenvectors().rightCols(3 - n_unobservable),
+                   solver.eigenvectors().leftCols(n_unobservable)});
 }
 
 /// The equations in the coordinates of a basis, with the weights of the last step.
@@ -229,7 +231,7 @@ bool drop_lonely(const Eigen::VectorXd& n_clusters, Basis& basis) {
   constexpr double kMinEffectiveClusters = 2.0;
   Eigen::Matrix3Xd told(3, 0);
   for (Eigen::Index i = 0; i < n_clusters.size(); ++i) {
-    Eigen::Matrix3Xd& kept = n_clusters[i] >= kMinEffectiveClusters ? told : basis.untold;
+    Eigen::Matrix3Xd& kept = n_clusters[i] >= kMinEffectiveClusters ? told : basis.unobservable;
     kept.conservativeResize(3, kept.cols() + 1);
     kept.rightCols<1>() = basis.told.col(i);
   }
@@ -240,9 +242,10 @@ bool drop_lonely(const Eigen::VectorXd& n_clusters, Basis& basis) {
 }
 
 ShiftAxis axis_of(const ConstantShift& shift, int axis) {
-  double untold = 0.0;
-  for (const Eigen::Vector3d& direction : shift.untold) untold += std::pow(direction[axis], 2);
-  if (std::sqrt(untold) > kMaxUndeterminedPart) return {};
+  double unobservable = 0.0;
+  for (const Eigen::Vector3d& direction : shift.unobservable)
+    unobservable += std::pow(direction[axis], 2);
+  if (std::sqrt(unobservable) > kMaxUndeterminedPart) return {};
   const double value_m = shift.shift_m[axis];
   const double half_m = kNormal95 * std::sqrt(std::max(0.0, shift.covariance_m2(axis, axis)));
   return {value_m, Interval{value_m - half_m, value_m + half_m}};
@@ -347,8 +350,8 @@ std::optional<ConstantShift> estimate_shift(std::span<const LineEvaluation> line
       break;
     }
   }
-  for (Eigen::Index i = 0; i < basis.untold.cols(); ++i)
-    shift.untold.emplace_back(basis.untold.col(i));
+  for (Eigen::Index i = 0; i < basis.unobservable.cols(); ++i)
+    shift.unobservable.emplace_back(basis.unobservable.col(i));
   for (int axis = 0; axis < 3; ++axis) {
     shift.axes[static_cast<std::size_t>(axis)] = axis_of(shift, axis);
   }
@@ -363,7 +366,7 @@ bool ConstantShift::is_significant() const {
   if (!(least_m > accuracy_m)) return false;
   const auto is_told = [](const ShiftAxis& axis) { return axis.ci95_m.has_value(); };
   const auto n_told = static_cast<std::size_t>(std::ranges::count_if(axes, is_told));
-  if (n_told + untold.size() < axes.size()) return true;  // an oblique direction is told, too
+  if (n_told + unobservable.size() < axes.size()) return true;  // an oblique direction is told, too
   return std::ranges::any_of(axes, [](const ShiftAxis& axis) {
     return axis.ci95_m && (axis.ci95_m->low > 0.0 || axis.ci95_m->high < 0.0);
   });

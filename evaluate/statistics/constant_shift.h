@@ -40,7 +40,7 @@ struct ConstantShift {
   /// tell.
   Eigen::Matrix3d covariance_m2 = Eigen::Matrix3d::Zero();
   std::vector<Eigen::Vector3d>
-      untold;  ///< unit vectors at right angles that the planes do not tell
+      unobservable;  ///< unit vectors at right angles that the planes do not tell
   /// Length of the smallest shift in the 95 % region. The lines lie at least this far beside the
   /// planes.
   double least_m = 0.0;

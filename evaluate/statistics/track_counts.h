@@ -19,10 +19,10 @@ struct TrackCounts {
   /// Share of the edges that a track shows, of their images in such tracks, of the tracks'
   /// observations that are right; empty for a denominator of 0.
   [[nodiscard]] std::optional<double> edge_recall() const { return share(n_edges_found, n_edges); }
-  [[nodiscard]] std::optional<double> sighting_recall() const {
+  [[nodiscard]] std::optional<double> observation_recall() const {
     return share(n_shown_found, n_shown);
   }
-  [[nodiscard]] std::optional<double> sighting_precision() const {
+  [[nodiscard]] std::optional<double> observation_precision() const {
     return share(n_right, n_right + n_wrong);
   }
 

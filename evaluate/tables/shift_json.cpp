@@ -68,8 +68,8 @@ ConstantShift read_shift(const Json& json) {
     shift.covariance_m2.row(i) =
         triple_of(json.at("covariance_m2").at(static_cast<std::size_t>(i)));
   }
-  for (const Json& direction : json.at("untold_directions")) {
-    shift.untold.push_back(triple_of(direction));
+  for (const Json& direction : json.at("unobservable_directions")) {
+    shift.unobservable.push_back(triple_of(direction));
   }
   shift.least_m = json.at("least_m").get<double>();
   shift.accuracy_m = json.at("accuracy_m").get<double>();
@@ -89,13 +89,14 @@ ConstantShift read_shift(const Json& json) {
 
 Json shift_json(const std::optional<ConstantShift>& shift) {
   if (!shift) return nullptr;
-  Json untold = Json::array();
-  for (const Eigen::Vector3d& direction : shift->untold) untold.push_back(triple_json(direction));
+  Json unobservable = Json::array();
+  for (const Eigen::Vector3d& direction : shift->unobservable)
+    unobservable.push_back(triple_json(direction));
   return {{"significant", shift->is_significant()},
           {"applied", shift->applied},
           {"likely_cause", shift->cause.empty() ? Json(nullptr) : Json(shift->cause)},
           {"axes", axes_json(*shift)},
-          {"untold_directions", std::move(untold)},
+          {"unobservable_directions", std::move(unobservable)},
           {"told_m", triple_json(shift->shift_m)},
           {"covariance_m2", covariance_json(shift->covariance_m2)},
           {"least_m", number_json(shift->least_m)},

@@ -30,17 +30,17 @@ std::string along_text(const ConstantShift& shift, const Eigen::Vector3d& direct
 
 /// The shift along a direction that is none of the axes, where the planes tell such a one; else "".
 std::string oblique_text(const ConstantShift& shift) {
-  constexpr double kLevel = 0.1;  // most height of an untold direction that lies in the plan
+  constexpr double kLevel = 0.1;  // most height of an unobservable direction that lies in the plan
   const auto& [x, y, z] = shift.axes;
   if (x.shift_m || y.shift_m) return "";
-  if (shift.untold.size() == 1 && std::abs(shift.untold[0].z()) < kLevel) {
-    const Eigen::Vector3d& untold = shift.untold[0];
-    Eigen::Vector3d told = Eigen::Vector3d(-untold.y(), untold.x(), 0.0).normalized();
+  if (shift.unobservable.size() == 1 && std::abs(shift.unobservable[0].z()) < kLevel) {
+    const Eigen::Vector3d& unobservable = shift.unobservable[0];
+    Eigen::Vector3d told = Eigen::Vector3d(-unobservable.y(), unobservable.x(), 0.0).normalized();
     if (told.x() < 0.0) told = -told;
     const double azimuth_deg = deg_from_rad(std::atan2(told.x(), told.y()));
     return fmt::format("towards azimuth {:.0f} degrees {}", azimuth_deg, along_text(shift, told));
   }
-  if (z.shift_m || shift.untold.size() == 3) return "";
+  if (z.shift_m || shift.unobservable.size() == 3) return "";
   // planes of one slope tell one direction, those of two slopes two
   const Eigen::Vector3d told = shift.shift_m.normalized();
   return fmt::format("along ({:.2f}, {:.2f}, {:.2f}) {}", told.x(), told.y(), told.z(),
@@ -70,7 +70,7 @@ std::string shift_message(const Evaluation& evaluation, bool apply_shift) {
 }  // namespace
 
 std::string shift_text(const ConstantShift& shift) {
-  std::vector<std::string> told, untold;
+  std::vector<std::string> told, unobservable;
   for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
     const ShiftAxis& axis = shift.axes[i];
     if (axis.shift_m) {
@@ -78,14 +78,15 @@ std::string shift_text(const ConstantShift& shift) {
           "{} {}", kAxisNames[i],
           plus_minus_text(*axis.shift_m, 0.5 * (axis.ci95_m->high - axis.ci95_m->low))));
     } else {
-      untold.emplace_back(kAxisNames[i]);
+      unobservable.emplace_back(kAxisNames[i]);
     }
   }
   if (std::string oblique = oblique_text(shift); !oblique.empty()) {
     told.insert(told.begin(), std::move(oblique));
   }
-  if (!untold.empty()) {
-    told.push_back(fmt::format("{} not observable from these planes", fmt::join(untold, ", ")));
+  if (!unobservable.empty()) {
+    told.push_back(
+        fmt::format("{} not observable from these planes", fmt::join(unobservable, ", ")));
   }
   return fmt::format("{}", fmt::join(told, ", "));
 }

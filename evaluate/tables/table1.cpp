@@ -33,15 +33,15 @@ std::string images_text(const std::optional<std::size_t>& group) {
 /// The table of tracks; see to_tracks_csv().
 TextTable tracks_table(const Table1& table) {
   TextTable written({"patch", "class", "images", "edges:", "found:", "edge recall %:", "shown:",
-                     "sighting recall %:", "right:", "wrong:", "sighting precision %:"});
+                     "observation recall %:", "right:", "wrong:", "observation precision %:"});
   for (const PatchTracks& of_patch : table.tracks) {
     for (const TrackCell& cell : of_patch.cells) {
       const TrackCounts& c = cell.counts;
       if (c.n_edges == 0) continue;
       written.add(of_patch.patch, cell.line_class, images_text(cell.group), c.n_edges,
                   c.n_edges_found, percent(c.edge_recall()), c.n_shown,
-                  percent(c.sighting_recall()), c.n_right, c.n_wrong,
-                  percent(c.sighting_precision()));
+                  percent(c.observation_recall()), c.n_right, c.n_wrong,
+                  percent(c.observation_precision()));
     }
   }
   return written;
@@ -60,10 +60,10 @@ Json tracks_json(const PatchTracks& of_patch) {
          {"edge_recall", number_json(c.edge_recall())},
          {"shown", c.n_shown},
          {"shown_found", c.n_shown_found},
-         {"sighting_recall", number_json(c.sighting_recall())},
+         {"observation_recall", number_json(c.observation_recall())},
          {"right", c.n_right},
          {"wrong", c.n_wrong},
-         {"sighting_precision", number_json(c.sighting_precision())}});
+         {"observation_precision", number_json(c.observation_precision())}});
   }
   return {
       {"patch", of_patch.patch}, {"unjudged", of_patch.n_unjudged}, {"cells", std::move(cells)}};
@@ -130,8 +130,9 @@ std::string to_csv(const Table1& table) {
 
 std::string to_tracks_csv(const Table1& table) {
   std::string text =
-      "patch,class,n_images,edges,edges_found,edge_recall,shown,shown_found,sighting_recall,right,"
-      "wrong,sighting_precision\n";
+      "patch,class,n_images,edges,edges_found,edge_recall,shown,shown_found,observation_recall,"
+      "right,"
+      "wrong,observation_precision\n";
   const auto share = [](std::optional<double> value) { return fixed(value, kShareDecimals, ""); };
   for (const PatchTracks& of_patch : table.tracks) {
     for (const TrackCell& cell : of_patch.cells) {
@@ -140,8 +141,8 @@ std::string to_tracks_csv(const Table1& table) {
       text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", escape_csv(of_patch.patch),
                           cell.line_class, images_text(cell.group), c.n_edges, c.n_edges_found,
                           share(c.edge_recall()), c.n_shown, c.n_shown_found,
-                          share(c.sighting_recall()), c.n_right, c.n_wrong,
-                          share(c.sighting_precision()));
+                          share(c.observation_recall()), c.n_right, c.n_wrong,
+                          share(c.observation_precision()));
     }
   }
   return text;

@@ -39,9 +39,9 @@ std::string to_markdown(const Table1& table);
 /// with three decimals, empty for a denominator of 0.
 std::string to_csv(const Table1& table);
 
-/// `patch,class,n_images,edges,edges_found,edge_recall,shown,shown_found,sighting_recall,right,
-/// wrong,sighting_precision`, a row per class and number of images (`all`, 2, 3, 4, `5 and more`)
-/// that has edges.
+/// `patch,class,n_images,edges,edges_found,edge_recall,shown,shown_found,observation_recall,right,
+/// wrong,observation_precision`, a row per class and number of images (`all`, 2, 3, 4, `5 and
+/// more`) that has edges.
 std::string to_tracks_csv(const Table1& table);
 
 /// {"rows": [{patch, matcher, correct, false, missed, correctness, correctness_ci95, ...}]}, and

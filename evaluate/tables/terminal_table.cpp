@@ -40,15 +40,15 @@ std::string squares_notes(const Table2& table) {
 
 /// The tracks by number of images, all classes together.
 TextTable tracks_in_short(const Table1& table) {
-  TextTable written({"patch", "images", "edges:", "found:", "edge recall %:", "sighting recall %:",
-                     "sighting precision %:"});
+  TextTable written({"patch", "images", "edges:", "found:", "edge recall %:",
+                     "observation recall %:", "observation precision %:"});
   for (const PatchTracks& of_patch : table.tracks) {
     for (const TrackCell& cell : of_patch.cells) {
       if (cell.line_class != kTotal || cell.counts.n_edges == 0) continue;
       written.add(of_patch.patch, cell.group ? image_group_name(*cell.group) : std::string("all"),
                   cell.counts.n_edges, cell.counts.n_edges_found,
-                  percent(cell.counts.edge_recall()), percent(cell.counts.sighting_recall()),
-                  percent(cell.counts.sighting_precision()));
+                  percent(cell.counts.edge_recall()), percent(cell.counts.observation_recall()),
+                  percent(cell.counts.observation_precision()));
     }
   }
   return written;

@@ -21,7 +21,7 @@
 namespace ridgeline::io {
 namespace {
 
-void refuse_folder(const std::string& path) {
+void require_file(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::is_directory(path, ignored)) return;
   const FileKind kind = kind_of_folder(path);
@@ -32,7 +32,7 @@ void refuse_folder(const std::string& path) {
 }  // namespace
 
 std::unique_ptr<CloudSource> open_cloud(const std::string& path, const OpenCloudOptions& options) {
-  refuse_folder(path);
+  require_file(path);
   MappedFile file(path);
   const std::span<const std::byte> bytes = file.bytes();
   const std::string start = load_text(bytes.first(std::min<std::size_t>(bytes.size(), 8)));
@@ -44,8 +44,8 @@ std::unique_ptr<CloudSource> open_cloud(const std::string& path, const OpenCloud
     return open_pcd(std::move(file), path);
   }
   if (start.starts_with("LASF")) return open_las(std::move(file), path, options);
-  refuse_other_kind(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()},
-                    FileGroup::kCloud);
+  require_kind(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+               FileGroup::kCloud);
   if (has_xyz_name(path)) return open_xyz(std::move(file), path);
   // Any other file goes to the LAS reader, which says best what is wrong with it.
   return open_las(std::move(file), path, options);

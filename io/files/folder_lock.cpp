@@ -188,7 +188,7 @@ bool FolderLock::is_own(const std::string& name) const {
   return own_.holds(name);
 }
 
-void FolderLock::refuse_foreign(const std::string& name) const {
+void FolderLock::require_own(const std::string& name) const {
   const fs::path file = folder_ / name;
   const std::scoped_lock guard(mutex_);
   if (!fs::exists(fs::symlink_status(file)) || is_own(name)) return;

@@ -32,7 +32,7 @@ class FolderLock {
 
   /// Throws IoError if somebody else wrote or changed the file. `name` is relative to the folder.
   /// May be called by several threads, as all that follows.
-  void refuse_foreign(const std::string& name) const;
+  void require_own(const std::string& name) const;
   /// Removes a file of the program.
   void remove(const std::string& name);
 

@@ -27,7 +27,7 @@ std::filesystem::file_status status_of(const std::string& path, std::optional<Fi
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw MissingFileError(path, "no such file");
   if (std::filesystem::is_directory(status)) {
-    if (expected) refuse_other_kind(path, *expected);
+    if (expected) require_kind(path, *expected);
     throw IoError(path, "is a folder, a file is expected");
   }
   return status;
@@ -49,7 +49,7 @@ std::string read_at_most(const std::string& path,
   while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
     const bool is_first = bytes.empty();
     bytes.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-    if (is_first && expected) refuse_other_kind(path, bytes, *expected);
+    if (is_first && expected) require_kind(path, bytes, *expected);
     if (bytes.size() > most_bytes) {
       throw IoError(path, "the pipe delivers more than 64 MiB; copy its data into a file");
     }

@@ -30,7 +30,7 @@ double number_of(const std::string& path, const YAML::Node& node, const std::str
 
 /// Throws IoError if the file has too many values. yaml-cpp takes half a kilobyte and 5
 /// microseconds for each.
-void refuse_too_many_values(const std::string& path, std::string_view content) {
+void require_few_values(const std::string& path, std::string_view content) {
   constexpr std::ptrdiff_t kMaxValues = 400'000;  // enough for the cameras of 10,000 images
   const auto n_values = std::ranges::count_if(
       content, [](char c) { return std::string_view(",:\n[{").find(c) != std::string_view::npos; });
@@ -53,7 +53,7 @@ YAML::Node load_yaml(const std::string& path, std::optional<FileGroup> expected)
 
 YAML::Node parse_yaml(const std::string& content, const std::string& path) {
   if (trimmed(content).empty()) throw IoError(path, "is empty");
-  refuse_too_many_values(path, content);
+  require_few_values(path, content);
   try {
     const std::vector<YAML::Node> documents = YAML::LoadAll(content);
     if (documents.size() > 1) {

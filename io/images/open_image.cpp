@@ -52,7 +52,7 @@ std::string_view structure(GDALMajorObject& object, const char* key) {
   return text == nullptr ? std::string_view() : std::string_view(text);
 }
 
-void refuse_other_colours(const std::string& path, GDALDataset& dataset) {
+void require_known_colours(const std::string& path, GDALDataset& dataset) {
   GDALRasterBand& first = *dataset.GetRasterBand(1);
   if (first.GetColorInterpretation() == GCI_CyanBand ||
       structure(dataset, "SOURCE_COLOR_SPACE") == "CMYK") {
@@ -81,7 +81,7 @@ GDALDatasetUniquePtr ImageSession::open(const std::string& path) const {
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw MissingFileError(path, "does not exist");
   if (std::filesystem::is_directory(status)) {
-    refuse_other_kind(path, FileGroup::kImage);
+    require_kind(path, FileGroup::kImage);
     throw IoError(path, "is a folder, not an image");
   }
   if (!std::filesystem::is_regular_file(status)) {
@@ -94,7 +94,7 @@ GDALDatasetUniquePtr ImageSession::open(const std::string& path) const {
   GDALDatasetUniquePtr dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
   if (!dataset) {
-    refuse_other_kind(path, FileGroup::kImage);
+    require_kind(path, FileGroup::kImage);
     throw IoError(path, "is not a readable TIFF, PNG, JPEG or JPEG 2000 image: " +
                             shortened(quiet_.complaints("the content has none of these formats")));
   }
@@ -116,7 +116,7 @@ ImageFacts facts_of(const std::string& path, GDALDataset& dataset) {
   if (facts.n_bands < 1 || facts.n_bands > 4) {
     throw IoError(path, fmt::format("has {} bands; must be 1 to 4", facts.n_bands));
   }
-  refuse_other_colours(path, dataset);
+  require_known_colours(path, dataset);
   for (int number = 1; number <= facts.n_bands; ++number) {
     GDALRasterBand& band = *dataset.GetRasterBand(number);
     const int bits = bits_of(path, band, number);

@@ -80,7 +80,7 @@ std::string_view reader_ending(std::string_view extension) {
 
 /// Throws IoError if the name has another ending than its content needs, as lines are read by the
 /// ending.
-void refuse_wrong_ending(const std::string& path, const FileKind& kind) {
+void require_ending(const std::string& path, const FileKind& kind) {
   const std::string extension = extension_in(path);
   const bool fits = kind.ending.empty() || reader_ending(kind.ending) == reader_ending(extension);
   if (fits) return;
@@ -88,11 +88,11 @@ void refuse_wrong_ending(const std::string& path, const FileKind& kind) {
                                   kind.what, kind.ending));
 }
 
-void refuse_kind(const std::string& path, const FileKind& kind, FileGroup expected) {
+void require_group(const std::string& path, const FileKind& kind, FileGroup expected) {
   const auto& also = info_of(expected).also;
   const bool is_taken = kind.group == expected || std::ranges::count(also, kind.group) > 0;
   if (kind.is_known() && !is_taken) throw IoError(path, refusal(kind, expected));
-  if (expected == kLines && kind.group != kModel) refuse_wrong_ending(path, kind);
+  if (expected == kLines && kind.group != kModel) require_ending(path, kind);
 }
 
 /// Models of buildings are read compressed, too.
@@ -149,12 +149,12 @@ std::string refusal(const FileKind& kind, FileGroup expected) {
   return fmt::format("is {}, not {}; {}", kind.what, reader.takes, kind.advice);
 }
 
-void refuse_other_kind(const std::string& path, std::string_view content, FileGroup expected) {
-  refuse_kind(path, kind_of_content(content, path), expected);
+void require_kind(const std::string& path, std::string_view content, FileGroup expected) {
+  require_group(path, kind_of_content(content, path), expected);
 }
 
-void refuse_other_kind(const std::string& path, FileGroup expected) {
-  refuse_kind(path, kind_of_path(path), expected);
+void require_kind(const std::string& path, FileGroup expected) {
+  require_group(path, kind_of_path(path), expected);
 }
 
 }  // namespace ridgeline::io

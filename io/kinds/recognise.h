@@ -26,9 +26,9 @@ std::string refusal(const FileKind& kind, FileGroup expected);
 
 /// Throws IoError if the content is known to be of another kind than is expected. What is unknown
 /// or empty is left to its reader, which knows the rule that it breaks.
-void refuse_other_kind(const std::string& path, std::string_view content, FileGroup expected);
+void require_kind(const std::string& path, std::string_view content, FileGroup expected);
 /// Throws IoError if a file or folder is known to be of another kind than is expected. No more than
 /// its beginning is read.
-void refuse_other_kind(const std::string& path, FileGroup expected);
+void require_kind(const std::string& path, FileGroup expected);
 
 }  // namespace ridgeline::io

@@ -131,7 +131,7 @@ void clear_attribute(std::string_view name, Line& line) {
   if (name == "n_points") line.n_points.reset();
   if (name == "n_images") line.n_images.reset();
   if (name == "plane_ids") line.plane_ids.clear();
-  if (name == "sightings") line.observations.clear();
+  if (name == "observations") line.observations.clear();
   if (name == "covariance" || name.starts_with("sigma_")) line.covariance_m2.reset();
   for (const NumberAttribute& attribute : kNumberAttributes) {
     if (name == attribute.name) (line.*attribute.member).reset();
@@ -227,7 +227,7 @@ Line AttributeReader::line_of(const json& properties, const std::string& where) 
   take(values, "n_images", where, [&](const json& value) { line.n_images = integer_of(value); });
   take(values, "plane_ids", where,
        [&](const json& value) { line.plane_ids = plane_ids_of(value); });
-  take(values, "sightings", where,
+  take(values, "observations", where,
        [&](const json& value) { line.observations = observations_of(value); });
   for (const NumberAttribute& attribute : kNumberAttributes) {
     take(values, attribute.name, where,

@@ -139,7 +139,7 @@ void FeatureCollector::append_buildings() {
     const Line stated = attributes_.line_of(surface.properties, surface.where);
     model.buildings.push_back({building_id(stated, surface), ""});
     set_.features.rows.push_back(surface.values ? surface.values() : SparseRow());
-    refuse_more_lines(set_, model.faces.size() + surface.geometry.polygons.size());
+    require_room(set_, model.faces.size() + surface.geometry.polygons.size());
     for (const std::vector<Vertices>& rings : surface.geometry.polygons) {
       model.faces.push_back(face_of(rings));
       model.faces.back().building = model.buildings.size() - 1;

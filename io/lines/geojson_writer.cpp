@@ -40,7 +40,7 @@ std::string properties_text(const Line& line) {
     const std::optional<Segment2>& segment = line.*attribute.member;
     if (segment) add(attribute.name, segment_text(*segment));
   }
-  if (!line.observations.empty()) add("sightings", observations_text(line.observations));
+  if (!line.observations.empty()) add("observations", observations_text(line.observations));
   for (const NumberAttribute& attribute : number_attributes()) {
     const std::optional<double>& value = line.*attribute.member;
     if (value) add(attribute.name, fmt::format("{:.4f}", *value));

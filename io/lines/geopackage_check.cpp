@@ -116,11 +116,11 @@ std::vector<std::string> columns_of_table(sqlite3* database, const std::string& 
 
 /// Throws IoError for a binary value that is larger than the file. SQLite answers length() from the
 /// row's head, without reading the value.
-void refuse_large_values(sqlite3* database,
-                         const std::string& path,
-                         const std::string& table,
-                         const std::vector<std::string>& columns,
-                         std::uintmax_t file_size) {
+void require_small_values(sqlite3* database,
+                          const std::string& path,
+                          const std::string& table,
+                          const std::vector<std::string>& columns,
+                          std::uintmax_t file_size) {
   for (const std::string& column : columns) {
     const Statement statement = prepare(
         database,
@@ -171,8 +171,8 @@ std::vector<UnreadLayer> unread_layers(const std::string& path) {
     if (!how.empty()) {
       unread.push_back({entry.name, how + "; export it as a plain table"});
     } else if (file_size <= kScannedFile_bytes) {
-      refuse_large_values(database.get(), path, entry.name,
-                          columns_of_table(database.get(), entry.name), file_size);
+      require_small_values(database.get(), path, entry.name,
+                           columns_of_table(database.get(), entry.name), file_size);
     }
   }
   return unread;

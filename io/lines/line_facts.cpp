@@ -25,7 +25,7 @@ std::vector<std::string> attributes_of(const std::vector<Line>& lines) {
     add_if_any(attribute.name,
                [&](const Line& line) { return (line.*attribute.member).has_value(); });
   }
-  add_if_any("sightings", [](const Line& line) { return !line.observations.empty(); });
+  add_if_any("observations", [](const Line& line) { return !line.observations.empty(); });
   add_if_any("epipolar_angle_deg",
              [](const Line& line) { return line.epipolar_angle_deg.has_value(); });
   add_if_any("n_points", [](const Line& line) { return line.n_points.has_value(); });

@@ -45,7 +45,7 @@ struct Line {
   /// `right_px`. Segments of the other image in our own files may have been moved across their
   /// direction (compare_profiles()).
   std::optional<Segment2> base_px, other_px;
-  /// All image segments of a line that was made from three images or more, in files `sightings`,
+  /// All image segments of a line that was made from three images or more, in files `observations`,
   /// [["IMAGE", x1, y1, x2, y2], ...].
   std::vector<LineObservation> observations;
   std::optional<double> epipolar_angle_deg;

@@ -90,7 +90,7 @@ void append_mesh(const PolygonMesh& mesh, LineSet& set) {
     set.format += ", edges of faces";
     return append_distinct_edges(mesh.vertices, mesh.polygons, set);
   }
-  refuse_more_lines(set, model.faces.size());
+  require_room(set, model.faces.size());
   divide(mesh.objects.empty() ? connected_parts(model.faces) : mesh.objects, model);
   model.path = set.path;
   model.format = set.format;

@@ -90,7 +90,7 @@ ObjFile parse_obj(const std::string& path, std::string_view content, const LineS
       if (words[0] == "f") obj.objects.push_back(object);
       (words[0] == "l" ? obj.lines : obj.faces)
           .push_back(parse_indices(words, row.number, obj.vertices.size(), where));
-      refuse_more_lines(set, obj.lines.size());
+      require_room(set, obj.lines.size());
     }
   }
   return obj;

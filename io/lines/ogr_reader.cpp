@@ -39,7 +39,7 @@ Driver driver_for(std::string_view extension) {
 }
 
 /// Throws IoError for a Shapefile without z, which GDAL would open as lines at height 0.
-void refuse_flat_shapefile(const std::string& path) {
+void require_heights(const std::string& path) {
   const std::string bytes = beginning_of(path);
   if (bytes.size() < 100) throw IoError(path, "is not a Shapefile: shorter than its header");
   std::int32_t type = 0;
@@ -191,7 +191,7 @@ class OgrReader {
       }
       layers.push_back(layer);
     }
-    if (layers.empty()) refuse_no_layer();
+    if (layers.empty()) require_layer();
     for (const UnreadLayer& unread : unread_) {
       set_.warnings.push_back(fmt::format("ignored: layer {} {}", unread.name, unread.why));
     }
@@ -232,7 +232,7 @@ class OgrReader {
     return by_lod[*chosen];
   }
 
-  void refuse_no_layer() {
+  void require_layer() {
     if (!unread_.empty()) {
       throw IoError(path_, fmt::format("layer {} {}", unread_.front().name, unread_.front().why));
     }
@@ -331,8 +331,8 @@ class OgrReader {
 LineSet read_ogr(const std::string& path, std::string_view extension, const std::string& lod) {
   require_regular_file(path);
   if (std::filesystem::file_size(path) == 0) throw IoError(path, "is empty");
-  refuse_other_kind(path, FileGroup::kLines);
-  if (extension == ".shp") refuse_flat_shapefile(path);
+  require_kind(path, FileGroup::kLines);
+  if (extension == ".shp") require_heights(path);
   register_gdal_drivers();
   CPLErrorReset();
   return OgrReader(path, driver_for(extension), lod).read();

@@ -101,7 +101,7 @@ class OgrWriter : public LineWriter {
     for (const NumberAttribute& attribute : number_attributes()) create(attribute.name, OFTReal);
     for (const SegmentAttribute& attribute : segment_attributes())
       create(attribute.name, OFTString);
-    create("sightings", OFTString);
+    create("observations", OFTString);
     create("covariance", OFTString);
     return success;
   }
@@ -149,7 +149,7 @@ class OgrWriter : public LineWriter {
       feature.SetField(std::string(attribute.name).c_str(), segment_text(*segment).c_str());
     }
     if (!line.observations.empty())
-      feature.SetField("sightings", observations_text(line.observations).c_str());
+      feature.SetField("observations", observations_text(line.observations).c_str());
     if (line.covariance_m2) {
       feature.SetField("covariance", covariance_text(*line.covariance_m2).c_str());
     }

@@ -198,7 +198,7 @@ class PlyReader {
           columns_.edge_list == PlyColumns::kNone
               ? IndexList{index_of(values[columns_.ends[0]]), index_of(values[columns_.ends[1]])}
               : std::move(lists[columns_.edge_list]));
-      refuse_more_lines(set_, edges_.size());
+      require_room(set_, edges_.size());
     }
   }
 

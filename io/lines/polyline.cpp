@@ -83,7 +83,7 @@ LineSet lines_for_file(const std::string& path, const std::string& format, std::
   return set;
 }
 
-void refuse_more_lines(const LineSet& set, std::size_t n_lines) {
+void require_room(const LineSet& set, std::size_t n_lines) {
   if (n_lines > set.memory_left_bytes / sizeof(Line)) throw_out_of_memory(set);
 }
 

@@ -18,7 +18,7 @@ LineSet lines_for_file(const std::string& path, const std::string& format, std::
 
 /// Throws IoError if the set has no room for so many lines. It is for readers that hold something
 /// for each line before they append it.
-void refuse_more_lines(const LineSet& set, std::size_t n_lines);
+void require_room(const LineSet& set, std::size_t n_lines);
 
 /// Adds one feature of a file to the set, with what its columns hold. `fid`: see Line::source_fid;
 /// it is the id where `attributes` has none. Vertices on a straight line do not divide it, see

@@ -29,7 +29,7 @@ std::string extension_of(const std::string& path) {
   return lower_case(std::filesystem::path(path).extension().string());
 }
 
-void refuse_by_name(const std::string& path, const std::string& extension) {
+void require_known_name(const std::string& path, const std::string& extension) {
   if (extension == ".bin") {
     throw IoError(path, "Line3D++ .bin is a machine-dependent memory dump; give the .txt");
   }
@@ -83,7 +83,7 @@ LineSet read_text_file(const std::string& path,
 [[noreturn]] void refuse_by_extension(const std::string& path, const std::string& extension) {
   require_regular_file(path);
   const FileKind kind = kind_of_path(path);
-  if (!kind.by_name) refuse_other_kind(path, FileGroup::kLines);
+  if (!kind.by_name) require_kind(path, FileGroup::kLines);
   const std::string named = kind.what.empty() ? "" : ": " + kind.what;
   throw IoError(
       path, fmt::format("extension '{}'{}; supported are {}", extension, named, kKnownExtensions));
@@ -93,7 +93,7 @@ LineSet read_any(const std::string& path, const ReadLinesOptions& options) {
   if (std::filesystem::is_directory(path)) return read_limap_folder(path);
   if (is_model(path)) return lines_of_model(read_model(path, {options.lod}));
   const std::string extension = extension_of(path);
-  refuse_by_name(path, extension);
+  require_known_name(path, extension);
   if (extension == ".gpkg" || extension == ".shp" || extension == ".dxf") {
     return read_ogr(path, extension, options.lod);
   }

@@ -155,11 +155,11 @@ struct XmlStream::Parser {
       throw IoError(place(), fmt::format("is not a complete XML document: {}",
                                          XML_ErrorString(XML_GetErrorCode(expat))));
     }
-    refuse_endless_token(bytes.size());
+    require_end_of_token(bytes.size());
   }
 
   /// Expat keeps a tag until it is whole and reads it again from its start with each piece.
-  void refuse_endless_token(std::size_t n_bytes) {
+  void require_end_of_token(std::size_t n_bytes) {
     constexpr std::size_t kMaxToken_bytes = 4U << 20U;
     n_bytes_of_token = made_progress ? 0 : n_bytes_of_token + n_bytes;
     if (n_bytes_of_token > kMaxToken_bytes) throw IoError(place(), "a tag has more than 4 MiB");

@@ -128,7 +128,7 @@ class InphoReader {
         px_from_mm.leftCols<2>() * Eigen::Vector2d(point[0], point[1]) + px_from_mm.col(2) -
         Eigen::Vector2d::Constant(corner_offset(block, key("$PIXEL_REFERENCE")));
     for (const char* const name : {"$RADIAL_COEFFS", "$DECENTRE_COEFFS"}) {
-      refuse_distortion(block, key(name), camera.interior, focal_mm);
+      require_no_distortion(block, key(name), camera.interior, focal_mm);
     }
     orientation_.cameras.push_back(std::move(camera));
   }
@@ -174,10 +174,10 @@ class InphoReader {
 
   /// The sign of the coefficients is not known from the file: whether they are added to measured or
   /// ideal coordinates.
-  void refuse_distortion(const InphoBlock& block,
-                         const std::string& key,
-                         const InteriorOrientation& interior,
-                         double focal_mm) const {
+  void require_no_distortion(const InphoBlock& block,
+                             const std::string& key,
+                             const InteriorOrientation& interior,
+                             double focal_mm) const {
     const InphoEntry* const entry = block.find(key);
     if (entry == nullptr) return;
     const double r_mm = largest_radius(interior) * focal_mm;

@@ -49,9 +49,9 @@ XmlElement calibration_of(const XmlElement& sensor) {
 }
 
 /// Coefficients that move a pixel at the largest radius by too much to be left out.
-void refuse_other_coefficients(const std::string& path,
-                               const XmlElement& calibration,
-                               const InteriorOrientation& interior) {
+void require_known_coefficients(const std::string& path,
+                                const XmlElement& calibration,
+                                const InteriorOrientation& interior) {
   const double r = largest_radius(interior);
   const double focal_px = interior.focal_length_px.y();
   require_negligible(path, "k4", calibration.number_or("k4", 0.0) * std::pow(r, 9) * focal_px);
@@ -85,7 +85,7 @@ InteriorOrientation sensor_interior(const std::string& path, const XmlElement& s
   interior.principal_point_px = {0.5 * size_px.x() + value("cx") - 0.5,
                                  0.5 * size_px.y() + value("cy") - 0.5};
   interior.distortion = {value("k1"), value("k2"), value("k3"), value("p2"), value("p1")};
-  refuse_other_coefficients(path, calibration, interior);
+  require_known_coefficients(path, calibration, interior);
   return interior;
 }
 

@@ -25,7 +25,7 @@ bool is_comment_row(std::string_view text) {
 }
 
 /// Refuses a table whose first row names other angles.
-void refuse_other_angles(const std::string& path, const TextRow& row) {
+void require_known_angles(const std::string& path, const TextRow& row) {
   const std::string text = lower_case(row.text);
   if (text.find("roll") == std::string::npos || text.find("yaw") == std::string::npos) return;
   throw IoError(place(path, row.number),
@@ -44,7 +44,7 @@ class OpkTable {
  public:
   explicit OpkTable(const std::string& path)
       : path_(path), content_(read_orientation_text(path)), rows_(rows_of(content_)) {
-    if (!rows_.empty()) refuse_other_angles(path_, rows_.front());
+    if (!rows_.empty()) require_known_angles(path_, rows_.front());
     read_head();
   }
 

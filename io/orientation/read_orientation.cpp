@@ -40,7 +40,7 @@ OrientationFormat format_of(const std::string& path) {
   if (start.empty()) throw IoError(path, "is empty");
   if (const auto format = orientation_format(start)) return *format;
   if (is_numbered_table(start)) return OrientationFormat::kOpkTable;
-  refuse_other_kind(path, start, FileGroup::kOrientation);
+  require_kind(path, start, FileGroup::kOrientation);
   throw IoError(path,
                 "is not a supported orientation: a table of omega, phi and kappa, OpenSfM, Pix4D, "
                 "Inpho, PAT-B, BlocksExchange, Metashape XML or a COLMAP folder");

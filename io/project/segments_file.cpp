@@ -41,7 +41,7 @@ void for_each_flank_column(Flank& flank, const std::string& side, Visitor&& visi
 }
 
 template <typename T, typename Visitor>
-void for_each_look_column(T& s, Visitor&& visit) {
+void for_each_appearance_column(T& s, Visitor&& visit) {
   visit("image_x1_px", s.in_image.start.x());
   visit("image_y1_px", s.in_image.start.y());
   visit("image_x2_px", s.in_image.end.x());
@@ -80,7 +80,7 @@ std::string header() {
       text += fmt::format(",cov_{}_{}_px2", kEndNames[i], kEndNames[k]);
     }
   }
-  for_each_look_column(any, add);
+  for_each_appearance_column(any, add);
   return text + fmt::format(",{},{}\n", kGuided, kScale);
 }
 
@@ -92,7 +92,7 @@ std::string row_of(std::size_t id, const EdgeSegment& segment) {
   for (int i = 0; i < 4; ++i) {
     for (int k = i; k < 4; ++k) row += fmt::format(",{:.9g}", covariance(i, k));
   }
-  for_each_look_column(segment, add);
+  for_each_appearance_column(segment, add);
   return row + fmt::format(",{},{}\n", segment.guided ? 1 : 0, segment.scale_px);
 }
 
@@ -126,7 +126,7 @@ EdgeSegment segment_of(const CsvTable& table, std::size_t row) {
     value = static_cast<T>(table.number(row, table.column(column)));
   };
   for_each_geometry_column(segment, read);
-  for_each_look_column(segment, read);
+  for_each_appearance_column(segment, read);
   segment.guided = table.has(kGuided) && table.number(row, table.column(kGuided)) != 0.0;
   if (table.has(kScale)) segment.scale_px = table.number(row, table.column(kScale));
   check_segment(segment, table.place_of(row));

@@ -45,7 +45,7 @@ struct Sides {
   Colour left, right;
 };
 Sides mapped_sides(const EdgePair& edges, const Radiometry& radiometry) {
-  const auto [on_left, on_right] = mate_flanks(edges.right, edges.overlap.reversed());
+  const auto [on_left, on_right] = counterpart_flanks(edges.right, edges.overlap.reversed());
   return {radiometry.left_from_right(on_left->colour),
           radiometry.left_from_right(on_right->colour)};
 }
@@ -53,30 +53,30 @@ Sides mapped_sides(const EdgePair& edges, const Radiometry& radiometry) {
 }  // namespace
 
 std::optional<double> colour_similarity(const EdgePair& edges, const Radiometry& radiometry) {
-  const Sides mate = mapped_sides(edges, radiometry);
-  const double smallest = std::min(norm(difference(edges.left.left.colour, mate.left)),
-                                   norm(difference(edges.left.right.colour, mate.right)));
+  const Sides counterpart = mapped_sides(edges, radiometry);
+  const double smallest = std::min(norm(difference(edges.left.left.colour, counterpart.left)),
+                                   norm(difference(edges.left.right.colour, counterpart.right)));
   return std::exp(-0.5 * (smallest / kColourScale) * (smallest / kColourScale));
 }
 
 std::optional<double> contrast_similarity(const EdgePair& edges, const Radiometry& radiometry) {
-  const Sides mate = mapped_sides(edges, radiometry);
+  const Sides counterpart = mapped_sides(edges, radiometry);
   const Colour step = difference(edges.left.right.colour, edges.left.left.colour);
-  const Colour mate_step = difference(mate.right, mate.left);
-  const double both = norm(step) + norm(mate_step);
+  const Colour counterpart_step = difference(counterpart.right, counterpart.left);
+  const double both = norm(step) + norm(counterpart_step);
   if (!(both > 0.0)) return std::nullopt;
-  return 1.0 - norm(difference(step, mate_step)) / both;
+  return 1.0 - norm(difference(step, counterpart_step)) / both;
 }
 
 LineMeasures line_measures(const EdgePair& edges,
-                           const EdgeLook& look,
+                           const EdgeAppearance& appearance,
                            const Radiometry& radiometry) {
   constexpr double kUndecided = 0.5;
   LineMeasures m;
   std::array<double, 2> ncc{};
   std::array<double, 2> colour{};
   for (const int side : {0, 1}) {
-    const auto& seen = look.sides[side];
+    const auto& seen = appearance.sides[side];
     ncc[side] = seen ? std::max(0.0, seen->ncc) : kUndecided;
     colour[side] = seen ? seen->colour_agreement() : kUndecided;
   }
@@ -85,7 +85,7 @@ LineMeasures line_measures(const EdgePair& edges,
   m.values[LineMeasures::kBetterColour] = std::max(colour[0], colour[1]);
   m.values[LineMeasures::kOtherColour] = std::min(colour[0], colour[1]);
   m.values[LineMeasures::kContrast] = contrast_similarity(edges, radiometry).value_or(kUndecided);
-  m.values[LineMeasures::kProfile] = std::max(0.0, look.profile_ncc.value_or(kUndecided));
+  m.values[LineMeasures::kProfile] = std::max(0.0, appearance.profile_ncc.value_or(kUndecided));
   m.values[LineMeasures::kOverlap] =
       std::max(edges.overlap.share_of_left(), edges.overlap.share_of_right());
   m.values[LineMeasures::kEnds] = ends_agreement(edges);

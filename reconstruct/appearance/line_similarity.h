@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/appearance/edge_look.h"
+#include "reconstruct/appearance/edge_appearance.h"
 #include "reconstruct/geometry/edge_segment.h"
 #include "reconstruct/geometry/epipolar_overlap.h"
 
@@ -28,14 +28,14 @@ struct LineMeasures {
     kContrast,  ///< direction and strength of the colour step across the line
     kProfile,   ///< correlation of the profiles across the line
     kOverlap,   ///< share of the shorter segment in the epipolar overlap
-    kEnds,      ///< how close both ends come to their mates
+    kEnds,      ///< how close both ends come to their counterparts
     kCount
   };
   std::array<double, kCount> values{};
 };
 
 LineMeasures line_measures(const EdgePair& edges,
-                           const EdgeLook& look,
+                           const EdgeAppearance& appearance,
                            const Radiometry& radiometry);
 
 /// Probability of the match in [0, 1] by logistic regression over the measures. The regression is

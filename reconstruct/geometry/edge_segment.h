@@ -17,7 +17,8 @@ namespace ridgeline {
 /// the distortion is known. An empty function means that both are the same.
 using PixelMap = std::function<std::optional<Eigen::Vector2d>(const Eigen::Vector2d&)>;
 
-/// Look of a strip along one side of an edge: means of the normalised image (0 dark, 1 bright).
+/// Appearance of a strip along one side of an edge: means of the normalised image (0 dark, 1
+/// bright).
 struct Flank {
   std::array<float, 4> colour{};  ///< per band; 0 where the image has fewer bands
   float grey = 0.0F;              ///< mean over the bands
@@ -41,9 +42,9 @@ inline std::span<const EdgeSegment> extracted(const std::vector<EdgeSegment>& se
   return {segments.begin(), std::ranges::find_if(segments, &EdgeSegment::guided)};
 }
 
-/// The flanks of a right segment on the left and the right of its left mate's direction.
+/// The flanks of a right segment on the left and the right of its left counterpart's direction.
 /// @param reversed  the right segment runs against the left one, so that its flanks change sides
-inline std::array<const Flank*, 2> mate_flanks(const EdgeSegment& right, bool reversed) {
+inline std::array<const Flank*, 2> counterpart_flanks(const EdgeSegment& right, bool reversed) {
   if (reversed) return {&right.right, &right.left};
   return {&right.left, &right.right};
 }

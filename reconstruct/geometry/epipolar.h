@@ -53,7 +53,7 @@ double epipolar_distance_px(const Eigen::Matrix3d& fundamental,
 inline constexpr double kMaxAlignedAngle_deg = 10.0;
 
 /// Angle in [0, pi/2] between an image segment and the epipolar line through its midpoint, the join
-/// of midpoint and epipole, in the image `own` with the mate image `other`.
+/// of midpoint and epipole, in the image `own` with the counterpart image `other`.
 double epipolar_angle_rad(const ProjectionMatrix& own,
                           const ProjectionMatrix& other,
                           const Segment2& segment_in_own);

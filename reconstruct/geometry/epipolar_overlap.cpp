@@ -129,8 +129,8 @@ std::vector<EpipolarOverlap> aligned_overlaps(const SearchedSegment& left,
   const bool same_way = e.dot(right.end - right.start) * e.dot(left.end.at(height_range_m[0]) -
                                                                left.start.at(height_range_m[0])) >
                         0.0;
-  const Eigen::Vector2d& mate_of_start = same_way ? right.start : right.end;
-  const Eigen::Vector2d& mate_of_end = same_way ? right.end : right.start;
+  const Eigen::Vector2d& counterpart_of_start = same_way ? right.start : right.end;
+  const Eigen::Vector2d& counterpart_of_end = same_way ? right.end : right.start;
   const auto in_range = [&](double z) { return z >= height_range_m[0] && z <= height_range_m[1]; };
   // The parallaxes at which the segments touch end to end bound those at which they overlap.
   const std::array<double, 4> touching = {
@@ -147,8 +147,8 @@ std::vector<EpipolarOverlap> aligned_overlaps(const SearchedSegment& left,
     const auto overlap = aligned_overlap(left, right, {z, z}, tolerance_px);
     if (overlap && covers_enough(*overlap)) overlaps.push_back(*overlap);
   }
-  const std::array<double, 2> inclined = {height_beside(left.start, e, mate_of_start),
-                                          height_beside(left.end, e, mate_of_end)};
+  const std::array<double, 2> inclined = {height_beside(left.start, e, counterpart_of_start),
+                                          height_beside(left.end, e, counterpart_of_end)};
   if (in_range(inclined[0]) && in_range(inclined[1])) {
     const auto overlap = aligned_overlap(left, right, inclined, tolerance_px);
     if (overlap) overlaps.push_back(*overlap);
@@ -156,11 +156,11 @@ std::vector<EpipolarOverlap> aligned_overlaps(const SearchedSegment& left,
   return overlaps;
 }
 
-bool may_share_mate(const OverlappedSegment& a, const OverlappedSegment& b) {
+bool may_share_counterpart(const OverlappedSegment& a, const OverlappedSegment& b) {
   return are_fragments(a.segment, b.segment) && disjoint(a.overlap.on_right, b.overlap.on_right);
 }
 
-bool may_be_mates_of_one(const OverlappedSegment& a, const OverlappedSegment& b) {
+bool may_be_counterparts_of_one(const OverlappedSegment& a, const OverlappedSegment& b) {
   // The tolerance is tight because windows run along the eave above them, in a wall that is a few
   // pixels wide.
   constexpr double kTolerance_px = 1.0;

@@ -30,7 +30,7 @@ struct EpipolarOverlap {
   [[nodiscard]] double height_at(double on_left_parameter) const;
 };
 
-/// A left segment prepared for the search of its mates.
+/// A left segment prepared for the search of its counterparts.
 struct SearchedSegment {
   Segment2 segment;
   Stretch start, end;                  ///< where its ends may lie in the right image
@@ -68,13 +68,13 @@ struct OverlappedSegment {
   const EpipolarOverlap& overlap;
 };
 
-/// Whether two left segments may have the same mate. They may if they are fragments of one edge and
-/// each has a part of the mate of its own.
-bool may_share_mate(const OverlappedSegment& a, const OverlappedSegment& b);
+/// Whether two left segments may have the same counterpart. They may if they are fragments of one
+/// edge and each has a part of the counterpart of its own.
+bool may_share_counterpart(const OverlappedSegment& a, const OverlappedSegment& b);
 
-/// Whether two right segments may be mates of the same left one. They may if they are fragments of
-/// one edge to a pixel and each has a part of the left segment of its own. Near-aligned segments
-/// never may, because their parts are guessed from their look.
-bool may_be_mates_of_one(const OverlappedSegment& a, const OverlappedSegment& b);
+/// Whether two right segments may be counterparts of the same left one. They may if they are
+/// fragments of one edge to a pixel and each has a part of the left segment of its own.
+/// Near-aligned segments never may, because their parts are guessed from their appearance.
+bool may_be_counterparts_of_one(const OverlappedSegment& a, const OverlappedSegment& b);
 
 }  // namespace ridgeline::reconstruct

@@ -25,7 +25,7 @@ struct CandidateSearch {
   const SearchedPair& pair;
   ImagePair images;
   const CandidateOptions& options;
-  const CandidateLook& change_look;
+  const CandidateAppearance& change_appearance;
   int max_candidates;
   BoxIndex2 right_index;
 };
@@ -40,9 +40,9 @@ Eigen::AlignedBox2d band_box(const SearchedSegment& left,
   return Eigen::AlignedBox2d(box.min() - margin, box.max() + margin);
 }
 
-double sum_of_ncc(const EdgeLook& look) {
+double sum_of_ncc(const EdgeAppearance& appearance) {
   double sum = 0.0;
-  for (const auto& side : look.sides) sum += side ? side->ncc : 0.0;
+  for (const auto& side : appearance.sides) sum += side ? side->ncc : 0.0;
   return sum;
 }
 
@@ -62,7 +62,7 @@ std::optional<EpipolarOverlap> best_aligned_overlap(const CandidateSearch& searc
        aligned_overlaps(searched, right.line.segment, search.pair.search.height_range_m,
                         kEpipolarTolerance_px, kParallaxStep_px)) {
     const double ncc =
-        sum_of_ncc(edge_look(search.images, {left, right, overlap}, transfer, kCoarseGrid));
+        sum_of_ncc(edge_appearance(search.images, {left, right, overlap}, transfer, kCoarseGrid));
     if (best && ncc <= best_ncc) continue;
     best = overlap;
     best_ncc = ncc;
@@ -105,17 +105,17 @@ std::optional<Candidate> candidate(const CandidateSearch& search,
     return std::nullopt;
   }
   const EdgePair edges{left, right, *overlap};
-  EdgeLook look = edge_look(search.images, edges, transfer);
-  if (search.change_look && !aligned) {
+  EdgeAppearance appearance = edge_appearance(search.images, edges, transfer);
+  if (search.change_appearance && !aligned) {
     const double lowest_m = std::min(overlap->height_m[0], overlap->height_m[1]);
-    search.change_look(search.images, edges, transfer,
-                       lowest_m - search.pair.search.height_range_m[0], look);
+    search.change_appearance(search.images, edges, transfer,
+                             lowest_m - search.pair.search.height_range_m[0], appearance);
   }
   Candidate found;
-  found.look = look;
+  found.appearance = appearance;
   found.right = right_id;
   found.overlap = *overlap;
-  found.measures = line_measures(edges, look, search.images.radiometry);
+  found.measures = line_measures(edges, appearance, search.images.radiometry);
   found.similarity = line_similarity(found.measures);
   return found;
 }
@@ -144,12 +144,12 @@ std::vector<Candidate> candidates_of(const CandidateSearch& search, const EdgeSe
 Candidates match_candidates(const SearchedPair& pair,
                             const Radiometry& radiometry,
                             const CandidateOptions& options,
-                            const CandidateLook& change_look,
+                            const CandidateAppearance& change_appearance,
                             int max_candidates) {
   validate(options);
   const CandidateSearch all{
       pair,           {ImageSampler(pair.left.image), ImageSampler(pair.right.image), radiometry},
-      options,        change_look,
+      options,        change_appearance,
       max_candidates, BoxIndex2(ideal_segments(pair.right))};
   const std::vector<EdgeSegment>& left = pair.left.segments;
   Candidates candidates(left.size());

@@ -18,7 +18,7 @@ inline constexpr int kMaxCandidates = 8;
 /// Least epipolar overlap of two segments, as a share of the shorter one. Ours.
 inline constexpr double kMinOverlap = 0.3;
 
-/// Which right segments may be the mate of a left one.
+/// Which right segments may be the counterpart of a left one.
 struct CandidateOptions {
   double max_turn_deg = 35.0;   ///< a steep line of a roof turns by up to 20 degrees between views
   double max_slope_deg = 50.0;  ///< largest slope of a roof; a match that implies more is wrong
@@ -33,12 +33,12 @@ struct CandidateOptions {
   }
 };
 
-/// A right segment that may be the mate of a left one.
+/// A right segment that may be the counterpart of a left one.
 struct Candidate {
   int right = 0;
   EpipolarOverlap overlap;
-  EdgeLook look;
-  LineMeasures measures;    ///< from the look and the geometry
+  EdgeAppearance appearance;
+  LineMeasures measures;    ///< from the appearance and the geometry
   double similarity = 0.0;  ///< line_similarity() of the measures, in [0, 1]
   double log_odds = 0.0;    ///< log odds that extensions beyond the paper add to the votes
 };
@@ -46,14 +46,14 @@ struct Candidate {
 /// The candidates of each left segment, best first.
 using Candidates = std::vector<std::vector<Candidate>>;
 
-/// Changes the look of a candidate that is not near-aligned. Extensions beyond the paper enter
-/// here. It may be empty. `most_drop_m`: height of the lower end of the line above the lowest
+/// Changes the appearance of a candidate that is not near-aligned. Extensions beyond the paper
+/// enter here. It may be empty. `most_drop_m`: height of the lower end of the line above the lowest
 /// height of objects.
-using CandidateLook = std::function<void(const ImagePair& images,
-                                         const EdgePair& edges,
-                                         const LocalTransfer& transfer,
-                                         double most_drop_m,
-                                         EdgeLook& look)>;
+using CandidateAppearance = std::function<void(const ImagePair& images,
+                                               const EdgePair& edges,
+                                               const LocalTransfer& transfer,
+                                               double most_drop_m,
+                                               EdgeAppearance& appearance)>;
 
 /// The candidates of each left segment: right segments that overlap its epipolar band for the range
 /// of heights and whose direction and height are possible. The `max_candidates` whose single lines
@@ -61,7 +61,7 @@ using CandidateLook = std::function<void(const ImagePair& images,
 Candidates match_candidates(const SearchedPair& pair,
                             const Radiometry& radiometry,
                             const CandidateOptions& options,
-                            const CandidateLook& change_look = {},
+                            const CandidateAppearance& change_appearance = {},
                             int max_candidates = kMaxCandidates);
 
 }  // namespace ridgeline::reconstruct

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/surface/surface.h"
 
-#include "reconstruct/appearance/edge_look.h"
-#include "reconstruct/appearance/strip_look.h"
+#include "reconstruct/appearance/edge_appearance.h"
+#include "reconstruct/appearance/strip_appearance.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/interruption.h"
 #include "reconstruct/surface/hierarchical_matching.h"

@@ -16,7 +16,7 @@ namespace ridgeline::reconstruct {
 using EndStretches = std::array<Stretch, 2>;
 
 /// The views of a scene whose segments are searched: each view's segments by place, the transfers
-/// between the views, and the matches by their look. It borrows the scene.
+/// between the views, and the matches by their appearance. It borrows the scene.
 class SearchedViews {
  public:
   SearchedViews(const Scene& scene, std::span<const MatchedPair> pairs);
@@ -41,10 +41,10 @@ class SearchedViews {
   [[nodiscard]] Segment3 object_segment(const Observation& s,
                                         const Eigen::Vector2d& heights_m) const;
 
-  enum class Look { kUnknown, kMatched, kMatchedElsewhere };
-  /// Whether two segments were matched by their look, or one of them with another segment of that
-  /// view.
-  [[nodiscard]] Look look(const Observation& a, const Observation& b) const;
+  enum class Matching { kUnknown, kMatched, kMatchedElsewhere };
+  /// Whether two segments were matched by their appearance, or one of them with another segment of
+  /// that view.
+  [[nodiscard]] Matching appearance(const Observation& a, const Observation& b) const;
 
  private:
   struct SearchedView {

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kMaxTurn_rad = 15.0 * kRadPerDeg;  // between a segment and its prediction
 constexpr double kMinOverlap_px = 3.0;
-/// How much more often matches by their look are true than false; ours.
-constexpr double kLookOdds = 20.0;
+/// How much more often matches by their appearance are true than false; ours.
+constexpr double kAppearanceOdds = 20.0;
 constexpr double kChiSquare2 = 13.816;  // 99.9 %, 2 degrees of freedom
 
 /// The search for the line of one segment.
@@ -71,12 +71,12 @@ class Search {
     [[nodiscard]] SegmentDepth depth() const { return depth_by(residuals()); }
   };
 
-  [[nodiscard]] double log_look(const Observation& s) const {
-    switch (views_.look(reference_, s)) {
-      case SearchedViews::Look::kMatched:
-        return std::log(kLookOdds);
-      case SearchedViews::Look::kMatchedElsewhere:
-        return -std::log(kLookOdds);
+  [[nodiscard]] double log_appearance(const Observation& s) const {
+    switch (views_.appearance(reference_, s)) {
+      case SearchedViews::Matching::kMatched:
+        return std::log(kAppearanceOdds);
+      case SearchedViews::Matching::kMatchedElsewhere:
+        return -std::log(kAppearanceOdds);
       default:
         return 0.0;
     }
@@ -119,7 +119,7 @@ class Search {
       if (!is_free_(seen)) continue;
       if (const auto residual = intersection_with(seen)) {
         all.emplace_back().said.resize(views_.size());
-        all.back().said[view] = {log_look(seen), std::pair{seen.segment, *residual}};
+        all.back().said[view] = {log_appearance(seen), std::pair{seen.segment, *residual}};
       }
     }
     return all;
@@ -190,7 +190,7 @@ class Search {
       const double overlap_px = ((*at)[1] - (*at)[0]) * length(p.segment);
       const double area_px2 =
           4.0 * reach_px * std::min(reach_px, std::tan(kMaxTurn_rad) * overlap_px);
-      const double ratio = std::exp(-0.5 * chi2 + log_look(seen)) * area_px2 /
+      const double ratio = std::exp(-0.5 * chi2 + log_appearance(seen)) * area_px2 /
                            (2.0 * std::numbers::pi * std::sqrt(cov_px2.determinant()));
       if (ratio <= best_ratio) continue;
       best_ratio = ratio;

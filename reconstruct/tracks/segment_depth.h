@@ -35,9 +35,9 @@ using IsFree = std::function<bool(const Observation&)>;
 /// with the share p of views that show an edge in their image (kSeenShare), the residuals r of the
 /// segment across the prediction at both ends of what they share, their covariance S, and the
 /// density of nearly parallel segments beside the prediction: where many run, one of them fits by
-/// chance. The hypothesis starts with the odds p / n of one of n candidates. A match by its look
-/// multiplies the odds by 20, a match with another segment divides them. Each observation
-/// adds to the heights (least squares), so that the next prediction is sharper.
+/// chance. The hypothesis starts with the odds p / n of one of n candidates. A match by its
+/// appearance multiplies the odds by 20, a match with another segment divides them. Each
+/// observation adds to the heights (least squares), so that the next prediction is sharper.
 ///
 /// The result is the hypothesis of the largest odds with three views or more, if it has
 /// min_log_odds, and if all hypotheses of other heights together are less likely by min_margin.

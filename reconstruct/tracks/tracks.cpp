@@ -87,10 +87,10 @@ bool is_near_aligned(const Scene& scene,
 }
 
 /// Adds the tracks of two views: matches whose segments are in no track.
-void add_tracks_by_look(const Scene& scene,
-                        std::span<const MatchedPair> pairs,
-                        TakenSegments& taken,
-                        std::vector<Track>& tracks) {
+void add_tracks_by_appearance(const Scene& scene,
+                              std::span<const MatchedPair> pairs,
+                              TakenSegments& taken,
+                              std::vector<Track>& tracks) {
   std::map<Observation, std::size_t> aligned;  // track by segment
   for (const auto& [views, matches] : pairs) {
     for (const Correspondence& match : matches) {
@@ -145,7 +145,7 @@ std::vector<Track> tracks_of(const Scene& scene,
   const SearchedViews views(scene, pairs);
   TakenSegments taken(views);
   std::vector<Track> tracks = tracks_by_geometry(views, candidates, options, taken);
-  add_tracks_by_look(scene, pairs, taken, tracks);
+  add_tracks_by_appearance(scene, pairs, taken, tracks);
   for (Track& track : tracks) order_observations(pairs, track);
   std::ranges::sort(tracks, {}, &Track::observations);
   return tracks;

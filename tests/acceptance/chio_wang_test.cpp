@@ -54,7 +54,7 @@ class ChioWang2000 : public testing::Test {
   [[nodiscard]] ProcessCounts counts_of(const std::string& out, bool to_the_letter) const {
     const std::string config = out + ".yaml";
     std::ofstream(folder_ / config)
-        << (to_the_letter ? "chio: {allow_noise: false, by_look: false}\n" : "chio: {}\n");
+        << (to_the_letter ? "chio: {allow_noise: false, by_appearance: false}\n" : "chio: {}\n");
     std::vector<std::string> arguments{"run",    "--out",      out,    "--matcher",
                                        "chio",   "--config",   config, "--methods",
                                        "direct", "--no-report"};

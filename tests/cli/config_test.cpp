@@ -61,7 +61,7 @@ TEST_F(Config, PublishedHoldsNothingOfOurs) {
     EXPECT_EQ(published[group][key].Scalar(), "false") << group << "." << key;
   }
   EXPECT_EQ(published["chio"]["allow_noise"].Scalar(), "false");
-  EXPECT_EQ(published["chio"]["by_look"].Scalar(), "false");
+  EXPECT_EQ(published["chio"]["by_appearance"].Scalar(), "false");
   EXPECT_EQ(published["judge"]["sample_consensus"].Scalar(), "ransac");
 }
 

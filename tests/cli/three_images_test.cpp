@@ -57,7 +57,7 @@ TEST_F(ThreeImages, AreAllUsed) {
               AllOf(HasSubstr(",strip1,"), HasSubstr(",strip2,"), HasSubstr(",strip3,")));
   const std::string file = "out/patch/lines.direct.geojson";
   EXPECT_GT(n_lines_with(file, "\"n_images\":3"), 2 * n_lines_with(file, "\"n_images\":2"));
-  EXPECT_THAT(read(path(file)), HasSubstr("\"sightings\":[[\"strip2\","));
+  EXPECT_THAT(read(path(file)), HasSubstr("\"observations\":[[\"strip2\","));
   EXPECT_THAT(read(path("out/patch/accuracy.direct.md")), HasSubstr("| n_images"));
   EXPECT_THAT(read(path("out/patch/evaluation.direct.json")), HasSubstr("\"n_images\": 3"));
   write(path("gates.yaml"), "gates: [{n_images: 3, method: direct, max: 5, n_min: 20}]\n");
@@ -70,12 +70,12 @@ TEST_F(ThreeImages, HaveTracksThatTheTrueOnesJudge) {
   const ProgramResult result = run_patch("out");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("Tracks, by true edges"));
-  EXPECT_THAT(read(path("out/table1.md")), HasSubstr("sighting precision %"));
+  EXPECT_THAT(read(path("out/table1.md")), HasSubstr("observation precision %"));
   EXPECT_THAT(read(path("out/table1.tracks.csv")), HasSubstr("\npatch,total,3,"));
   const auto tracks = read_json(path("out/table1.json"))["tracks"][0];
   EXPECT_GT(tracks["cells"].size(), 5U);
   write(path("gates.yaml"),
-        "gates:\n  - {metric: sighting_precision, min: 0.9, n_min: 50}\n"
+        "gates:\n  - {metric: observation_precision, min: 0.9, n_min: 50}\n"
         "  - {metric: edge_recall, n_images: 3, class: not_aligned, min: 0.4}\n");
   const ProgramResult gated = run({"gate", "out", "--gates", "gates.yaml"});
   EXPECT_EQ(gated.exit_code, 0) << gated.out << gated.err;
@@ -252,7 +252,7 @@ TEST_F(ThreeImagesReport, SaysWhatEachImageShowsOfALine) {
   const nlohmann::json patch = patch_of_page();
   for (const auto& line : patch["methods"][0]["lines"]) {
     std::set<int> views;
-    for (const auto& observation : line["sightings"]) views.insert(observation[0].get<int>());
+    for (const auto& observation : line["observations"]) views.insert(observation[0].get<int>());
     EXPECT_EQ(views.size(), line["n_images"].get<std::size_t>());
     const std::vector<std::string> states = states_of(line);
     ASSERT_EQ(states.size(), 3U);
@@ -285,7 +285,7 @@ TEST_F(ThreeImagesReport, NamesTheSegmentsOfTheTracks) {
   }
   std::size_t n_known = 0;
   for (const auto& line : patch["methods"][0]["lines"]) {
-    for (const auto& observation : line["sightings"]) {
+    for (const auto& observation : line["observations"]) {
       if (observation[1].is_null()) continue;
       ++n_known;
       const auto& row = rows[observation[0].get<int>()].at(observation[1].get<std::size_t>());
@@ -308,7 +308,7 @@ TEST_F(ThreeImagesReport, SaysThatAnImageDiffers) {
   nlohmann::json lines = read_json(path(file));
   std::size_t moved = 0;
   while (lines["features"][moved]["properties"]["n_images"] != 3) ++moved;
-  nlohmann::json& observation = lines["features"][moved]["properties"]["sightings"].back();
+  nlohmann::json& observation = lines["features"][moved]["properties"]["observations"].back();
   const std::string image = observation[0];
   for (const int k : {1, 2, 3, 4}) observation[k] = observation[k].get<double>() + 15.0;
   write(path(file), lines.dump());

@@ -419,7 +419,7 @@ test('a click on a segment in an image selects its line', async () => {
   const match = data.pairs[0].matches[0];
   await page.mouse.click(...onScreen(box, data.views[0], middle(data.views[0], match.left)));
   const { line } = await selection(page);
-  assert.deepEqual(await page.evaluate((i) => globalThis.ridgeline.state.method.lines[i].sightings[0].slice(0, 2), line), [0, match.left]);
+  assert.deepEqual(await page.evaluate((i) => globalThis.ridgeline.state.method.lines[i].observations[0].slice(0, 2), line), [0, match.left]);
   await close(page);
 });
 
@@ -643,8 +643,8 @@ function fiveImages() {
   const file = join(work, 'five', 'five_patch', 'lines.lines.geojson');
   const lines = JSON.parse(readFileSync(file, 'utf8'));
   const moved = lines.features.find((f) => f.properties.n_images === 5).properties;
-  const sighting = moved.sightings.findIndex((s) => s[0] === 'cross1');
-  moved.sightings[sighting] = moved.sightings[sighting].map((v, i) => (i === 0 ? v : v + 15));
+  const observation = moved.observations.findIndex((s) => s[0] === 'cross1');
+  moved.observations[observation] = moved.observations[observation].map((v, i) => (i === 0 ? v : v + 15));
   writeFileSync(file, JSON.stringify(lines));
   ridgeline('report', join(work, 'five'));
   return { contradicted: moved.id };
@@ -714,8 +714,8 @@ test('epipolar lines pass through the mates in any pair of images', async () => 
 test('the images of a line are shown until somebody chooses a pair, and further ones beside it', async () => {
   const page = await openFive();
   assert.deepEqual(await shownImages(page), ['image-0', 'image-1']);
-  const other = await lineWhere(page, 'l.sightings.length > 1 && l.sightings[1][0] > 1 && l.sightings[0][0] !== l.sightings[1][0]');
-  const views = await page.evaluate((i) => globalThis.ridgeline.state.method.lines[i].sightings.map((s) => s[0]), other);
+  const other = await lineWhere(page, 'l.observations.length > 1 && l.observations[1][0] > 1 && l.observations[0][0] !== l.observations[1][0]');
+  const views = await page.evaluate((i) => globalThis.ridgeline.state.method.lines[i].observations.map((s) => s[0]), other);
   await selectLine(page, other);
   assert.deepEqual((await shownImages(page)).sort(), views.slice(0, 2).map((v) => `image-${v}`).sort());
   assert.match(await page.locator(`#image-${views[0]} figcaption`).innerText(), /\): agrees, /);
@@ -737,7 +737,7 @@ test('a click in an image leaves the images as they are', async () => {
   const page = await openFive();
   const { pair, segment, line } = await page.evaluate(() => {
     const { state, images } = globalThis.ridgeline;
-    const i = state.method.lines.findIndex((l) => l.sightings[0][0] === 0 && l.sightings[1][0] === 1);
+    const i = state.method.lines.findIndex((l) => l.observations[0][0] === 0 && l.observations[1][0] === 1);
     return { pair: images().pairOf(1, 3), segment: images().segmentsOfLine(1, state.method.lines[i])[0], line: i };
   });
   await page.evaluate(() => globalThis.ridgeline.state.set({ line: null }));
@@ -846,6 +846,6 @@ test('tracks are counted by the number of images that show their true edges', as
   const judged = JSON.parse(readFileSync(join(work, 'five', 'table1.json'), 'utf8')).tracks[0].cells.filter((c) => c.class === 'total' && c.edges > 0);
   assert.deepEqual(rows.map((row) => row[1]), judged.map((c) => c.n_images === null ? 'all' : c.n_images === 5 ? '5 and more' : `${c.n_images}`));
   assert.deepEqual(rows.map((row) => row[2]), judged.map((c) => `${c.edges}`));
-  assert.equal(rows[0][6], (100 * judged[0].sighting_precision).toFixed(1));
+  assert.equal(rows[0][6], (100 * judged[0].observation_precision).toFixed(1));
   await close(page);
 });

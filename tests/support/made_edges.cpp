@@ -83,10 +83,10 @@ std::vector<MadeEdge> roof_edges(const std::vector<MadeFace>& faces) {
   for (std::size_t i = 0; i < all.size(); ++i) by_place[place(all[i].from, all[i].to)] = i;
   std::vector<MadeEdge> edges;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::size_t twin = by_place.at(place(all[i].to, all[i].from));
-    const bool between_roofs = all[twin].kind == MadeSurface::kRoof;
-    if (all[i].kind != MadeSurface::kRoof || (between_roofs && twin < i)) continue;
-    const std::optional<MadeEdgeKind> kind = kind_of(all[i], all[twin]);
+    const std::size_t duplicate = by_place.at(place(all[i].to, all[i].from));
+    const bool between_roofs = all[duplicate].kind == MadeSurface::kRoof;
+    if (all[i].kind != MadeSurface::kRoof || (between_roofs && duplicate < i)) continue;
+    const std::optional<MadeEdgeKind> kind = kind_of(all[i], all[duplicate]);
     if (kind) edges.push_back({*kind, {all[i].from, all[i].to}});
   }
   return edges;

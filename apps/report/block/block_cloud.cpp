@@ -16,7 +16,7 @@
 namespace ridgeline::apps {
 namespace {
 
-void refuse_changed(const JudgingCloud& cloud) {
+void require_unchanged(const JudgingCloud& cloud) {
   io::require_regular_file(cloud.path);
   const std::uintmax_t bytes = std::filesystem::file_size(cloud.path);
   if (bytes == cloud.bytes) return;
@@ -79,7 +79,7 @@ class PatchesAround {
 }  // namespace
 
 BlockCloud read_block_cloud(const BlockFolder& block) {
-  for (const JudgingCloud& cloud : block.clouds) refuse_changed(cloud);
+  for (const JudgingCloud& cloud : block.clouds) require_unchanged(cloud);
   io::ReadOptions options;  // those of the judge of blocks
   options.frame = LocalFrame{{block.origin_m.x(), block.origin_m.y(), 0.0}};
   io::CloudFiles files(transformed(block.clouds, &JudgingCloud::path), options);

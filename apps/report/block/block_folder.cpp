@@ -35,8 +35,8 @@ ShownPatch patch_of(const Json& entry) {
   patch.area_m = box_of(entry.at("area_m"));
   patch.height_range_m = entry.at("height_range_m").get<std::array<double, 2>>();
   patch.images = entry.at("images").get<std::vector<std::string>>();
-  patch.foreseen_s = entry.at("foreseen_s").get<double>();
-  patch.foreseen_mib = entry.at("foreseen_mib").get<double>();
+  patch.estimated_s = entry.at("estimated_s").get<double>();
+  patch.estimated_mib = entry.at("estimated_mib").get<double>();
   return patch;
 }
 

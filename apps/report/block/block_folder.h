@@ -30,7 +30,7 @@ struct ShownPatch {
   Eigen::AlignedBox2d core_m, area_m;
   std::array<double, 2> height_range_m{};
   std::vector<std::string> images;
-  double foreseen_s = 0.0, foreseen_mib = 0.0;
+  double estimated_s = 0.0, estimated_mib = 0.0;
   std::string reason;                 ///< why it has no lines; empty if it is done
   std::vector<PatchFigures> figures;  ///< of each method
   evaluate::Json table2_rows = evaluate::Json::array();

@@ -83,7 +83,7 @@ double squared_difference(const UncertainLine& longer, const UncertainLine& shor
 }
 
 constexpr double kReach_m =
-    1.0;  // lines farther off in plan are no twins, whatever their covariances
+    1.0;  // lines farther off in plan are no duplicates, whatever their covariances
 
 bool is_within_reach(const Segment3& longer, const Segment3& shorter) {
   return std::ranges::all_of(std::array{shorter.start, shorter.end}, [&](const Eigen::Vector3d& x) {
@@ -95,8 +95,8 @@ bool is_within_reach(const Segment3& longer, const Segment3& shorter) {
 /// Probability that chi-square of four degrees of freedom exceeds a value.
 double chi_square_tail(double value) { return std::exp(-0.5 * value) * (1.0 + 0.5 * value); }
 
-/// A twin of a line, and whether it runs the other way.
-struct Twin {
+/// A duplicate of a line, and whether it runs the other way.
+struct Duplicate {
   std::size_t line = 0;
   bool reversed = false;
 };
@@ -111,7 +111,7 @@ class Merger {
     find_twins();
   }
 
-  /// The lines that are tied to one of these by twins, over any number of them.
+  /// The lines that are tied to one of these by duplicates, over any number of them.
   [[nodiscard]] std::vector<bool> tied_to(const std::vector<bool>& these) const {
     std::vector<bool> is_tied = these;
     std::vector<std::size_t> next;
@@ -120,16 +120,16 @@ class Merger {
     while (!next.empty()) {
       const std::size_t i = next.back();
       next.pop_back();
-      for (const Twin& twin : twins_[i]) {
-        if (is_tied[twin.line]) continue;
-        is_tied[twin.line] = true;
-        next.push_back(twin.line);
+      for (const Duplicate& duplicate : twins_[i]) {
+        if (is_tied[duplicate.line]) continue;
+        is_tied[duplicate.line] = true;
+        next.push_back(duplicate.line);
       }
     }
     return is_tied;
   }
 
-  /// The merged lines of all but those of `is_left`, which have no twin among the others.
+  /// The merged lines of all but those of `is_left`, which have no duplicate among the others.
   [[nodiscard]] std::vector<MergedLine> merge(const std::vector<bool>& is_left) const {
     std::vector<bool> is_taken = is_left;  // as a line, or as a part of one
     std::vector<MergedLine> merged;
@@ -153,7 +153,7 @@ class Merger {
     const BoxIndex2 index(plans);
     tbb::parallel_for(std::size_t{0}, lines_.size(), [&](std::size_t i) {
       for (const std::size_t j : index.near(plans[i], kReach_m)) {
-        if (const auto twin = twin_of(i, j)) twins_[i].push_back(*twin);
+        if (const auto duplicate = twin_of(i, j)) twins_[i].push_back(*duplicate);
       }
     });
   }
@@ -162,7 +162,7 @@ class Merger {
     return grown(grid_.square(cell), options_.overlap_m);
   }
 
-  [[nodiscard]] std::optional<Twin> twin_of(std::size_t i, std::size_t j) const {
+  [[nodiscard]] std::optional<Duplicate> twin_of(std::size_t i, std::size_t j) const {
     if (lines_[i].cell == lines_[j].cell) return std::nullopt;
     const Eigen::AlignedBox2d both = covered(lines_[i].cell).intersection(covered(lines_[j].cell));
     if (both.isEmpty()) return std::nullopt;
@@ -182,7 +182,7 @@ class Merger {
     if (chi_square_tail(difference) < options_.significance) return std::nullopt;
     const bool reversed =
         (segment(i).end - segment(i).start).dot(segment(j).end - segment(j).start) < 0.0;
-    return Twin{j, reversed};
+    return Duplicate{j, reversed};
   }
 
   [[nodiscard]] const Segment3& segment(std::size_t i) const {
@@ -191,10 +191,10 @@ class Merger {
 
   [[nodiscard]] bool is_owned(std::size_t i) const { return owners_[i] == lines_[i].cell; }
 
-  /// Whether the patch of the square that a line belongs to found the line or a twin of it.
+  /// Whether the patch of the square that a line belongs to found the line or a duplicate of it.
   [[nodiscard]] bool counts(std::size_t i) const {
-    return is_owned(i) || std::ranges::any_of(twins_[i], [&](const Twin& twin) {
-             return lines_[twin.line].cell == owners_[i];
+    return is_owned(i) || std::ranges::any_of(twins_[i], [&](const Duplicate& duplicate) {
+             return lines_[duplicate.line].cell == owners_[i];
            });
   }
 
@@ -210,7 +210,7 @@ class Merger {
 
   void take(std::size_t i, std::vector<bool>& is_taken) const {
     is_taken[i] = true;
-    for (const Twin& twin : twins_[i]) is_taken[twin.line] = true;
+    for (const Duplicate& duplicate : twins_[i]) is_taken[duplicate.line] = true;
   }
 
   [[nodiscard]] MergedLine merged_line(std::size_t i, std::vector<bool>& is_taken) const {
@@ -220,8 +220,8 @@ class Merger {
     return merged;
   }
 
-  /// Takes the end of the line from its twins, and from the twins of these, as long as it lies
-  /// beyond the square of the patch that it comes from.
+  /// Takes the end of the line from its duplicates, and from the duplicates of these, as long as it
+  /// lies beyond the square of the patch that it comes from.
   void prolong(std::size_t i,
                bool at_start,
                UncertainLine& line,
@@ -230,14 +230,14 @@ class Merger {
     std::size_t from = i;
     bool reversed = false;  // of `from` against `i`
     while (grid_.cell_of((at_start ? whole.start : whole.end).head<2>()) != lines_[from].cell) {
-      std::optional<Twin> farthest;
+      std::optional<Duplicate> farthest;
       double reach = at_start ? 0.0 : 1.0;
-      for (const Twin& twin : twins_[from]) {
-        const bool turned = reversed != twin.reversed;
-        const double t = parameter_along(whole, end_of(twin.line, at_start != turned));
+      for (const Duplicate& duplicate : twins_[from]) {
+        const bool turned = reversed != duplicate.reversed;
+        const double t = parameter_along(whole, end_of(duplicate.line, at_start != turned));
         if (at_start ? t >= reach : t <= reach) continue;
         reach = t;
-        farthest = twin;
+        farthest = duplicate;
       }
       if (!farthest) return;
       reversed = reversed != farthest->reversed;
@@ -266,8 +266,8 @@ class Merger {
   std::span<const FoundLine> lines_;
   const PatchGrid& grid_;
   const MergeOptions& options_;
-  std::vector<std::vector<Twin>> twins_;  ///< of each line
-  std::vector<GridCell> owners_;          ///< the square of each midpoint
+  std::vector<std::vector<Duplicate>> twins_;  ///< of each line
+  std::vector<GridCell> owners_;               ///< the square of each midpoint
 };
 
 /// The order of squares and numbers.

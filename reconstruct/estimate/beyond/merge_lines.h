@@ -41,17 +41,18 @@ struct MergedLine {
 /// Makes one set of lines of those that overlapping patches found, strip by strip, so that it holds
 /// the lines of a strip and of its neighbours only. A strip is one or more columns of squares.
 ///
-/// Two lines of different patches are twins if, within the place that both patches cover, they run
-/// beside each other over half of the shorter one at least, and both ends of the shorter one lie on
-/// the longer one by the covariances (chi-square of four degrees of freedom). A line belongs to the
-/// square of its midpoint. It counts if the patch of that square found it, or found a twin of it:
-/// so the noise of a midpoint beside a seam neither loses nor doubles a line. Of twins the longest
-/// one that its own square has stays. A line that ends beyond the square of its patch, where
-/// another patch knows better, is prolonged by its twins, one after another. So a line that no
-/// patch shows whole is whole. A prolonged line has the covariances of the ends that it takes.
+/// Two lines of different patches are duplicates if, within the place that both patches cover, they
+/// run beside each other over half of the shorter one at least, and both ends of the shorter one
+/// lie on the longer one by the covariances (chi-square of four degrees of freedom). A line belongs
+/// to the square of its midpoint. It counts if the patch of that square found it, or found a
+/// duplicate of it: so the noise of a midpoint beside a seam neither loses nor doubles a line. Of
+/// duplicates the longest one that its own square has stays. A line that ends beyond the square of
+/// its patch, where another patch knows better, is prolonged by its duplicates, one after another.
+/// So a line that no patch shows whole is whole. A prolonged line has the covariances of the ends
+/// that it takes.
 ///
-/// Twins, and twins of twins, decide among themselves. They are merged as soon as no later strip
-/// can have another twin.
+/// Duplicates, and duplicates of duplicates, decide among themselves. They are merged as soon as no
+/// later strip can have another duplicate.
 class LineMerger {
  public:
   LineMerger(const PatchGrid& grid, const MergeOptions& options);
@@ -67,7 +68,7 @@ class LineMerger {
   [[nodiscard]] std::size_t first_needed() const;
 
  private:
-  /// Merges the lines without a twin in what may reach beyond `east_m`.
+  /// Merges the lines without a duplicate in what may reach beyond `east_m`.
   std::vector<MergedLine> merge_west_of(double east_m);
   void keep_open(const std::vector<bool>& is_open);
   std::vector<MergedLine> take_settled();
@@ -75,7 +76,7 @@ class LineMerger {
   PatchGrid grid_;
   MergeOptions options_;
   std::size_t n_added_ = 0;
-  std::vector<FoundLine> open_;       ///< may have twins in later strips, or are tied to such lines
+  std::vector<FoundLine> open_;  ///< may have duplicates in later strips, or are tied to such lines
   std::vector<std::size_t> numbers_;  ///< of the open lines
   std::vector<MergedLine> waiting_;   ///< merged, while lines of squares before them are open
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/estimate/beyond/profile_registration.h"
 
-#include "reconstruct/appearance/strip_look.h"
+#include "reconstruct/appearance/strip_appearance.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/epipolar_overlap.h"

@@ -20,8 +20,8 @@ struct Crossings {
   std::vector<UncertainPoint2> x;
 };
 
-Crossings crossings(const ObservedTrack& line, const ObservedTrack& mate) {
-  Crossings all{seen_together(line, mate), {}};
+Crossings crossings(const ObservedTrack& line, const ObservedTrack& counterpart) {
+  Crossings all{seen_together(line, counterpart), {}};
   for (const SeenTogether& view : all.seen)
     all.x.push_back(spherically_normalised(cross(view.line.line, view.other.line)));
   return all;
@@ -33,9 +33,10 @@ PairMeasures measures(const ConditionedViews& frames, const Crossings& crossings
   std::vector<PairMeasures> images;
   for (std::size_t j = 0; j < crossings.seen.size(); ++j) {
     const auto& [line, other] = crossings.seen[j];
-    const std::size_t mate = j == 0 ? 1 : 0;
+    const std::size_t counterpart = j == 0 ? 1 : 0;
     const Eigen::Vector3d epipolar_line =
-        frames.fundamental(crossings.seen[mate].line.view, line.view) * crossings.x[mate].mean;
+        frames.fundamental(crossings.seen[counterpart].line.view, line.view) *
+        crossings.x[counterpart].mean;
     const double scale_px = frames.of(line).image.scale_px;
     images.push_back({scale_px * distance(line.segment, other.segment),
                       scale_px * distance_to_line(crossings.x[j].mean, epipolar_line),
@@ -47,8 +48,8 @@ PairMeasures measures(const ConditionedViews& frames, const Crossings& crossings
 std::optional<CandidatePoint> candidate_point(const TrackedLines& lines,
                                               const ObservedTrack& line,
                                               int neighbour) {
-  const ObservedTrack& mate = lines.lines[static_cast<std::size_t>(neighbour)];
-  const Crossings both = crossings(line, mate);
+  const ObservedTrack& counterpart = lines.lines[static_cast<std::size_t>(neighbour)];
+  const Crossings both = crossings(line, counterpart);
   if (both.seen.size() < 2) return std::nullopt;
   const double weight = point_weight(measures(lines.frames, both));
   if (weight <= 0.0) return std::nullopt;

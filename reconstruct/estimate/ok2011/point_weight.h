@@ -11,7 +11,7 @@ namespace ridgeline::reconstruct {
 /// How well two lines that are taken to meet support a 3D point, in one image.
 struct PairMeasures {
   double distance_px;  ///< distance between the segments
-  /// Distance of the intersection point from its mate's epipolar line.
+  /// Distance of the intersection point from its counterpart's epipolar line.
   double epipolar_distance_px;
   double angle_rad;  ///< acute angle enclosed by the segments
 };

@@ -263,8 +263,8 @@ std::vector<ReconstructedLine> reconstruct_lines(const TrackedSegments& tracked,
   std::vector<ReconstructedLine> direct = direct_lines(lines, observed, tracks, options);
   if (options.method == Method::kDirect) return direct;
 
-  SupportOfTrack support = [&](const ObservedTrack& line, std::span<const int> mates) {
-    return std::vector{published_support(lines, line, mates)};
+  SupportOfTrack support = [&](const ObservedTrack& line, std::span<const int> counterparts) {
+    return std::vector{published_support(lines, line, counterparts)};
   };
   if (beyond.support) {
     support = beyond.support(lines, direct_lines(lines, lines.lines, tracks, options));

@@ -14,11 +14,11 @@ MatchExtensions match_extensions(const MatchExtensionOptions& options,
                                  const CandidateOptions& candidates,
                                  const Surface* surface) {
   MatchExtensions beyond;
-  if (options.hidden_walls) beyond.look = look_past_wall;
+  if (options.hidden_walls) beyond.appearance = appearance_past_wall;
   if (options.matched_radiometry) {
-    beyond.radiometry = [candidates, look = beyond.look](const SearchedPair& pair,
-                                                         const Radiometry& first) {
-      return matched_radiometry(pair, first, candidates, look);
+    beyond.radiometry = [candidates, appearance = beyond.appearance](const SearchedPair& pair,
+                                                                     const Radiometry& first) {
+      return matched_radiometry(pair, first, candidates, appearance);
     };
   }
   beyond.candidates = [options, surface](const SearchedPair& pair, const Radiometry& radiometry,
@@ -31,10 +31,10 @@ MatchExtensions match_extensions(const MatchExtensionOptions& options,
 }
 
 ChioExtensions chio_extensions(const ChioExtensionOptions& options,
-                               const CandidateLook& change_look) {
-  ChioExtensions beyond{change_look};
+                               const CandidateAppearance& change_appearance) {
+  ChioExtensions beyond{change_appearance};
   if (options.allow_noise) beyond.noise = NoiseAllowance{};
-  if (options.by_look) beyond.by_look = ChoiceByLook{options.min_similarity};
+  if (options.by_appearance) beyond.by_appearance = ChoiceByAppearance{options.min_similarity};
   return beyond;
 }
 

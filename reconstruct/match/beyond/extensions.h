@@ -18,8 +18,8 @@ MatchExtensions match_extensions(const MatchExtensionOptions& options,
                                  const Surface* surface = nullptr);
 
 /// The extensions of the matching in object space that the options switch on.
-/// @param change_look  changes the look of the candidates
+/// @param change_appearance  changes the appearance of the candidates
 ChioExtensions chio_extensions(const ChioExtensionOptions& options,
-                               const CandidateLook& change_look);
+                               const CandidateAppearance& change_appearance);
 
 }  // namespace ridgeline::reconstruct

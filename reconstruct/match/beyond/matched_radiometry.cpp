@@ -47,11 +47,12 @@ void add_colours(const EdgeSegment& left,
                  std::vector<ColourPair>& pairs) {
   constexpr double kSameTexture = 0.7;  // correlation that chance hardly reaches
   const std::array<const Flank*, 2> own{&left.left, &left.right};
-  const std::array<const Flank*, 2> mate = mate_flanks(right, candidate.overlap.reversed());
+  const std::array<const Flank*, 2> counterpart =
+      counterpart_flanks(right, candidate.overlap.reversed());
   for (const int side : {0, 1}) {
-    const auto& seen = candidate.look.sides[side];
-    if (seen && !candidate.look.is_past_wall[side] && seen->ncc >= kSameTexture) {
-      pairs.push_back({own[side]->colour, mate[side]->colour});
+    const auto& seen = candidate.appearance.sides[side];
+    if (seen && !candidate.appearance.is_past_wall[side] && seen->ncc >= kSameTexture) {
+      pairs.push_back({own[side]->colour, counterpart[side]->colour});
     }
   }
 }
@@ -89,11 +90,11 @@ void refine_band(std::span<const ColourPair> pairs, int band, Radiometry& radiom
 Radiometry matched_radiometry(const SearchedPair& pair,
                               const Radiometry& first,
                               const CandidateOptions& options,
-                              const CandidateLook& change_look) {
+                              const CandidateAppearance& change_appearance) {
   constexpr std::size_t kMinPairs = 20;
   const View longest = longest_of(pair.left);
   const Candidates candidates =
-      match_candidates({longest, pair.right, pair.search}, first, options, change_look);
+      match_candidates({longest, pair.right, pair.search}, first, options, change_appearance);
   std::vector<ColourPair> pairs;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (candidates[i].empty()) continue;

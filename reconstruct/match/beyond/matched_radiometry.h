@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/appearance/strip_look.h"
+#include "reconstruct/appearance/strip_appearance.h"
 #include "reconstruct/geometry/epipolar_transfer.h"
 #include "reconstruct/match/candidates.h"
 #include "reconstruct/scene/scene.h"
@@ -18,6 +18,6 @@ namespace ridgeline::reconstruct {
 Radiometry matched_radiometry(const SearchedPair& pair,
                               const Radiometry& first,
                               const CandidateOptions& options,
-                              const CandidateLook& change_look = {});
+                              const CandidateAppearance& change_appearance = {});
 
 }  // namespace ridgeline::reconstruct

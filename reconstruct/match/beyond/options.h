@@ -14,8 +14,8 @@ struct MatchExtensionOptions {
   /// The depth of the surfaces beside a line speaks for or against its candidates. See
   /// weigh_by_surface().
   bool surface = true;
-  /// Mates of unmatched segments are looked for where the surfaces beside the segments predict
-  /// them. See guided_matches().
+  /// Counterparts of unmatched segments are looked for where the surfaces beside the segments
+  /// predict them. See guided_matches().
   bool guided = true;
 
   static constexpr MatchExtensionOptions none() {
@@ -39,20 +39,22 @@ struct MatchExtensionOptions {
 /// The options of the extensions of the matching in object space; see chio_extensions().
 struct ChioExtensionOptions {
   bool allow_noise = true;
-  bool by_look = true;
+  bool by_appearance = true;
   double min_similarity = 0.3;
 
-  static constexpr ChioExtensionOptions none() { return {.allow_noise = false, .by_look = false}; }
+  static constexpr ChioExtensionOptions none() {
+    return {.allow_noise = false, .by_appearance = false};
+  }
 
   static constexpr auto fields() {
     using O = ChioExtensionOptions;
     return std::tuple{
         Field{"allow_noise", &O::allow_noise, false, true,
               "widen limits by noise and compare heights where lines meet; off: as published"},
-        Field{"by_look", &O::by_look, false, true,
+        Field{"by_appearance", &O::by_appearance, false, true,
               "rank candidates by appearance; off: by their reliable pieces, as published"},
         Field{"min_similarity", &O::min_similarity, 0.0, 1.0,
-              "by_look: minimum similarity of a match"}};
+              "by_appearance: minimum similarity of a match"}};
   }
 };
 

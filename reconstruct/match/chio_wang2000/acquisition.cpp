@@ -18,11 +18,11 @@ const CoreCandidate* candidate_of(const CoreCandidates& candidates, int right) {
 Acquisition::Acquisition(const View& left,
                          const View& right,
                          const std::vector<CoreCandidates>& candidates,
-                         const std::optional<ChoiceByLook>& by_look)
+                         const std::optional<ChoiceByAppearance>& by_appearance)
     : left_(left),
       right_(right),
       candidates_(candidates),
-      by_look_(by_look),
+      by_appearance_(by_appearance),
       acquired_(candidates.size()),
       outcomes_(candidates.size()),
       takers_(right.segments.size()),
@@ -37,7 +37,7 @@ Acquisition::Acquisition(const View& left,
   }
 }
 
-const CoreCandidate& Acquisition::mate(int left) const {
+const CoreCandidate& Acquisition::counterpart(int left) const {
   return candidates_[left].list[acquired_[left]->candidate];
 }
 
@@ -47,7 +47,7 @@ bool Acquisition::is_free(int left, const CoreCandidate& candidate) const {
   return std::all_of(takers.begin(), takers.end(), [&](int other) {
     const Segment2& taker = left_.segments[other].line.segment;
     const CoreCandidate* taken = candidate_of(candidates_[other], candidate.right);
-    return taken ? may_share_mate({segment, candidate.overlap}, {taker, taken->overlap})
+    return taken ? may_share_counterpart({segment, candidate.overlap}, {taker, taken->overlap})
                  : are_fragments(segment, taker);
   });
 }
@@ -57,7 +57,7 @@ bool Acquisition::has_rival(int left, const CoreCandidate& best, const Allowed& 
   const auto& list = candidates_[left].list;
   return std::any_of(list.begin(), list.end(), [&](const CoreCandidate& c) {
     return c.may_begin && c.right != best.right && allowed(c) &&
-           c.similarity > by_look_->max_similarity_ratio * best.similarity &&
+           c.similarity > by_appearance_->max_similarity_ratio * best.similarity &&
            !are_fragments(edge, right_.segments[c.right].line.segment);
   });
 }
@@ -67,9 +67,9 @@ bool Acquisition::is_wanted_more(int left, const CoreCandidate& best) const {
   return std::any_of(wanters.begin(), wanters.end(), [&](int other) {
     if (other == left || !is_open(other)) return false;
     const CoreCandidate* theirs = candidate_of(candidates_[other], best.right);
-    return best.similarity < by_look_->max_similarity_ratio * theirs->similarity &&
-           !may_share_mate({left_.segments[left].line.segment, best.overlap},
-                           {left_.segments[other].line.segment, theirs->overlap});
+    return best.similarity < by_appearance_->max_similarity_ratio * theirs->similarity &&
+           !may_share_counterpart({left_.segments[left].line.segment, best.overlap},
+                                  {left_.segments[other].line.segment, theirs->overlap});
   });
 }
 
@@ -81,7 +81,7 @@ std::optional<int> Acquisition::choose(int left, const Allowed& allowed) {
     if (!list.empty() && list.front().may_begin) outcomes_[left] = ChioOutcome::kHeight;
     return std::nullopt;
   }
-  if (by_look_ && best->similarity < by_look_->min_similarity) {
+  if (by_appearance_ && best->similarity < by_appearance_->min_similarity) {
     outcomes_[left] = ChioOutcome::kLowScore;
     return std::nullopt;
   }
@@ -89,7 +89,7 @@ std::optional<int> Acquisition::choose(int left, const Allowed& allowed) {
     outcomes_[left] = ChioOutcome::kLostToOther;
     return std::nullopt;
   }
-  if (by_look_ && (has_rival(left, *best, allowed) || is_wanted_more(left, *best))) {
+  if (by_appearance_ && (has_rival(left, *best, allowed) || is_wanted_more(left, *best))) {
     outcomes_[left] = ChioOutcome::kAmbiguous;
     return std::nullopt;
   }
@@ -99,7 +99,7 @@ std::optional<int> Acquisition::choose(int left, const Allowed& allowed) {
 void Acquisition::acquire(int left, const Acquired& acquired) {
   acquired_[left] = acquired;
   outcomes_[left] = ChioOutcome::kMatched;
-  takers_[mate(left).right].push_back(left);
+  takers_[counterpart(left).right].push_back(left);
 }
 
 }  // namespace ridgeline::reconstruct

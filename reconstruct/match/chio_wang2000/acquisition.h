@@ -12,7 +12,7 @@
 
 namespace ridgeline::reconstruct {
 
-/// How a left segment got its mate.
+/// How a left segment got its counterpart.
 struct Acquired {
   int candidate = 0;  ///< index of the initial link in the list of the left segment
   int process = 0;    ///< 1 to 4
@@ -31,20 +31,20 @@ class Acquisition {
   Acquisition(const View& left,
               const View& right,
               const std::vector<CoreCandidates>& candidates,
-              const std::optional<ChoiceByLook>& by_look);
+              const std::optional<ChoiceByAppearance>& by_appearance);
 
-  /// Whether a left segment has a mate among its candidates.
+  /// Whether a left segment has a counterpart among its candidates.
   [[nodiscard]] bool is_matched(int left) const { return acquired_[left].has_value(); }
   [[nodiscard]] bool is_open(int left) const { return outcomes_[left] != ChioOutcome::kMatched; }
   /// The candidate that a matched segment took.
-  [[nodiscard]] const CoreCandidate& mate(int left) const;
+  [[nodiscard]] const CoreCandidate& counterpart(int left) const;
   [[nodiscard]] const std::vector<std::optional<Acquired>>& acquired() const { return acquired_; }
   [[nodiscard]] const std::vector<ChioOutcome>& outcomes() const { return outcomes_; }
 
   /// Index of the candidate that Core chooses for an unmatched segment: the most preferred one of
   /// those allowed that may begin. If there is none, or if another left edge has taken it, the
-  /// result is empty and the outcome says why. If the look decides, the result is also empty if the
-  /// similarity of the candidate is
+  /// result is empty and the outcome says why. If the appearance decides, the result is also empty
+  /// if the similarity of the candidate is
   ///   - below min_similarity,
   ///   - not clearly above that of another candidate, which has more than max_similarity_ratio of
   ///     it, or
@@ -61,7 +61,7 @@ class Acquisition {
   const View& left_;
   const View& right_;
   const std::vector<CoreCandidates>& candidates_;
-  const std::optional<ChoiceByLook>& by_look_;
+  const std::optional<ChoiceByAppearance>& by_appearance_;
   std::vector<std::optional<Acquired>> acquired_;
   std::vector<ChioOutcome> outcomes_;
   std::vector<std::vector<int>> takers_;  ///< by right segment: the left segments matched with it

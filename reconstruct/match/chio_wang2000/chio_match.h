@@ -17,7 +17,7 @@ namespace ridgeline::reconstruct {
 
 /// A line in object space and how it was acquired.
 struct ChioLine {
-  Correspondence match;        ///< the initial link; its score is the similarity of the look
+  Correspondence match;        ///< the initial link; its score is the similarity of the appearance
   std::vector<int> fragments;  ///< further right segments linked to it
   Acquired acquired;
   ChainSummary chain;              ///< chain of the initial link

@@ -21,7 +21,7 @@ constexpr int kMinLinkPieces = 5;
 constexpr double kMaxLinkRateDifference = 0.2;
 
 constexpr double kSigmas = 3.0;  // multiple of the sigma of rates that is allowed for as noise
-constexpr int kMaxCandidatesOfAnyLook = 100;  // where the look does not decide
+constexpr int kMaxCandidatesOfAnyAppearance = 100;  // where the appearance does not decide
 
 /// One left segment on its way through the screening.
 struct Screened {
@@ -70,9 +70,11 @@ double flank_difference(const CoreContext& context, const EdgePair& edges) {
   const auto grey = [&](const Flank& flank) {
     return mean_of(context.radiometry.left_from_right(flank.colour), n_bands);
   };
-  const auto [mate_of_left, mate_of_right] = mate_flanks(edges.right, edges.overlap.reversed());
-  return std::min(std::abs(mean_of(edges.left.left.colour, n_bands) - grey(*mate_of_left)),
-                  std::abs(mean_of(edges.left.right.colour, n_bands) - grey(*mate_of_right)));
+  const auto [counterpart_of_left, counterpart_of_right] =
+      counterpart_flanks(edges.right, edges.overlap.reversed());
+  return std::min(
+      std::abs(mean_of(edges.left.left.colour, n_bands) - grey(*counterpart_of_left)),
+      std::abs(mean_of(edges.left.right.colour, n_bands) - grey(*counterpart_of_right)));
 }
 
 ChioOutcome screening(const CoreContext& context,
@@ -121,7 +123,7 @@ CoreCandidates candidates_of(const CoreContext& context,
     }
   }
   std::ranges::stable_sort(result.list, {}, [&](const CoreCandidate& c) {
-    return context.beyond.by_look
+    return context.beyond.by_appearance
                ? std::tuple(!c.may_begin, 0, -c.similarity)
                : std::tuple(!c.may_begin, -c.chain.n_reliable, c.chain.rate_sigma);
   });
@@ -144,8 +146,8 @@ std::vector<CoreCandidates> core_candidates(const SearchedPair& pair,
                                             const ChioExtensions& beyond) {
   const Radiometry radiometry = relative_radiometry(pair.left.segments, pair.right.segments);
   const Candidates found =
-      match_candidates(pair, radiometry, candidate_options, beyond.change_look,
-                       beyond.by_look ? kMaxCandidates : kMaxCandidatesOfAnyLook);
+      match_candidates(pair, radiometry, candidate_options, beyond.change_appearance,
+                       beyond.by_appearance ? kMaxCandidates : kMaxCandidatesOfAnyAppearance);
   const CoreContext context{pair, radiometry, options, beyond};
   std::vector<CoreCandidates> candidates(pair.left.segments.size());
   tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {

@@ -37,7 +37,7 @@ struct CoreCandidate {
   int right = 0;
   EpipolarOverlap overlap;
   ChainSummary chain;
-  double similarity = 0.0;  ///< similarity of the look
+  double similarity = 0.0;  ///< similarity of the appearance
   bool may_begin = false;   ///< whether it passes the screening and may be the initial link
 };
 
@@ -52,8 +52,8 @@ struct CoreCandidates {
 /// section 4). The screening tests the difference of azimuths, the difference of the grey values
 /// beside the edge, the number of reliable pieces, the mean rate of height change and the standard
 /// deviation of the rates. The epipolar band is searched as match_candidates() does. Candidates
-/// with the most reliable pieces are preferred, then those with the steadiest rate. If the look
-/// decides (ChioExtensions), the candidates that look most alike are preferred.
+/// with the most reliable pieces are preferred, then those with the steadiest rate. If the
+/// appearance decides (ChioExtensions), the candidates that look most alike are preferred.
 std::vector<CoreCandidates> core_candidates(const SearchedPair& pair,
                                             const ChioOptions& options,
                                             const CandidateOptions& candidate_options,

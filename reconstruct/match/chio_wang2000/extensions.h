@@ -14,9 +14,9 @@ struct NoiseAllowance {
   double edge_sigma_px = 0.25;  ///< sigma of a single edge pixel across its edge
 };
 
-/// Candidates compete by their look. A segment stays unmatched if it does not look like its best
-/// candidate, or if another candidate looks about as good.
-struct ChoiceByLook {
+/// Candidates compete by their appearance. A segment stays unmatched if it does not look like its
+/// best candidate, or if another candidate looks about as good.
+struct ChoiceByAppearance {
   double min_similarity = 0.3;
   /// Largest ratio of the similarities of the next candidate and the best one.
   double max_similarity_ratio = 0.8;
@@ -25,9 +25,9 @@ struct ChoiceByLook {
 /// The extensions beyond the paper that the matching in object space takes. Each may be empty: then
 /// its step follows the paper to the letter.
 struct ChioExtensions {
-  CandidateLook change_look{};
+  CandidateAppearance change_appearance{};
   std::optional<NoiseAllowance> noise{};
-  std::optional<ChoiceByLook> by_look{};
+  std::optional<ChoiceByAppearance> by_appearance{};
 };
 
 }  // namespace ridgeline::reconstruct

@@ -12,7 +12,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Largest distance of a junction from its mate's epipolar line; ours, as the paper gives none.
+/// Largest distance of a junction from its counterpart's epipolar line; ours, as the paper gives
+/// none.
 constexpr double kMaxJunctionEpipolar_px = 2.0;
 
 enum class HeightLimit : std::uint8_t { kClose, kRelaxed };
@@ -20,7 +21,7 @@ enum class HeightLimit : std::uint8_t { kClose, kRelaxed };
 /// A right junction that may show the junction of a left structure.
 struct SharedJunction {
   int structure = 0;  ///< index of the right structure
-  /// Members of the left structure with a mate in the right one, strongest first.
+  /// Members of the left structure with a counterpart in the right one, strongest first.
   std::vector<int> members;
   double strength = 0.0;
 };
@@ -35,12 +36,12 @@ class Iteration {
         search_(pair.search),
         candidates_(candidates),
         options_(options),
-        by_look_(beyond.by_look),
+        by_appearance_(beyond.by_appearance),
         heights_(left_segments_, beyond.noise),
         structures_(linear_structures(left_segments_)),
         right_structures_(linear_structures(ideal_segments(pair.right))),
         right_of_segment_(structures_of_segments(right_structures_, pair.right.segments.size())),
-        acquisition_(pair.left, pair.right, candidates, by_look_) {}
+        acquisition_(pair.left, pair.right, candidates, by_appearance_) {}
 
   ProcessedSegments run() {
     for (const Structure& structure : structures_) first_and_second(structure);
@@ -66,21 +67,21 @@ class Iteration {
   }
 
   /// Tries to match a segment under the height of one neighbour. If a right structure is given, the
-  /// mate must be a member of it.
+  /// counterpart must be a member of it.
   bool acquire_beside(int process,
                       int left,
                       const Neighbour& neighbour,
                       HeightLimit limit,
                       const Structure* right_structure) {
-    const CoreCandidate& mate = acquisition_.mate(neighbour.left);
+    const CoreCandidate& counterpart = acquisition_.counterpart(neighbour.left);
     const auto choice = acquisition_.choose(left, [&](const CoreCandidate& c) {
       return (!right_structure || has_member(*right_structure, c.right)) &&
-             heights_.agree(left, c, neighbour, mate, limit_m(limit));
+             heights_.agree(left, c, neighbour, counterpart, limit_m(limit));
     });
     if (!choice) return false;
-    acquisition_.acquire(left,
-                         {*choice, process, neighbour.left, heights_.height_of(neighbour, mate),
-                          limit_m(limit), limit == HeightLimit::kRelaxed});
+    acquisition_.acquire(
+        left, {*choice, process, neighbour.left, heights_.height_of(neighbour, counterpart),
+               limit_m(limit), limit == HeightLimit::kRelaxed});
     return true;
   }
 
@@ -90,15 +91,15 @@ class Iteration {
 
   /// How much a member speaks for a corresponding junction.
   [[nodiscard]] double strength(const CoreCandidate& candidate) const {
-    return by_look_ ? candidate.similarity : candidate.chain.n_reliable;
+    return by_appearance_ ? candidate.similarity : candidate.chain.n_reliable;
   }
 
   /// The best candidate of a left segment among the members of a right structure. For a matched
-  /// segment only its mate counts. Null if there is none.
+  /// segment only its counterpart counts. Null if there is none.
   [[nodiscard]] const CoreCandidate* best_in(int left, const Structure& right) const {
     if (acquisition_.is_matched(left)) {
-      const CoreCandidate& mate = acquisition_.mate(left);
-      return has_member(right, mate.right) ? &mate : nullptr;
+      const CoreCandidate& counterpart = acquisition_.counterpart(left);
+      return has_member(right, counterpart.right) ? &counterpart : nullptr;
     }
     for (const CoreCandidate& c : candidates_[left].list) {
       if (c.may_begin && has_member(right, c.right)) return &c;
@@ -122,8 +123,8 @@ class Iteration {
     return found;
   }
 
-  /// The right junctions on the epipolar line of a left junction that have mates of at least two of
-  /// its members, best first.
+  /// The right junctions on the epipolar line of a left junction that have counterparts of at least
+  /// two of its members, best first.
   [[nodiscard]] std::vector<SharedJunction> shared_junctions(const Structure& structure) const {
     std::set<int> right;
     for (const int member : structure.members) {
@@ -147,8 +148,9 @@ class Iteration {
   }
 
   [[nodiscard]] bool is_ambiguous(const std::vector<SharedJunction>& found) const {
-    return by_look_ && found.size() > 1 && found[1].members.size() == found[0].members.size() &&
-           found[1].strength > by_look_->max_similarity_ratio * found[0].strength;
+    return by_appearance_ && found.size() > 1 &&
+           found[1].members.size() == found[0].members.size() &&
+           found[1].strength > by_appearance_->max_similarity_ratio * found[0].strength;
   }
 
   void first_and_second(const Structure& structure) {
@@ -196,7 +198,7 @@ class Iteration {
   const StereoSearch& search_;
   const std::vector<CoreCandidates>& candidates_;
   const ChioOptions& options_;
-  const std::optional<ChoiceByLook>& by_look_;
+  const std::optional<ChoiceByAppearance>& by_appearance_;
   NeighbourHeights heights_;
   std::vector<Structure> structures_, right_structures_;
   std::vector<std::vector<int>> right_of_segment_;

@@ -102,10 +102,10 @@ std::optional<FittedLine> line_through_links(int left_id,
   std::optional<FittedLine> line =
       fit_line(transformed(on_line, &ChainPoint::x_in_local), kCorrelation);
   if (!line) return line;
-  const UncertainSegment2& mate = pair.right.segments[right_ids.front()].line;
-  const Eigen::Matrix<double, 6, 2> jacobian = by_right_line(line->segment, pair, mate);
-  const Eigen::Vector2d variances(mate.sigma_q_px * mate.sigma_q_px,
-                                  mate.sigma_phi_rad * mate.sigma_phi_rad);
+  const UncertainSegment2& counterpart = pair.right.segments[right_ids.front()].line;
+  const Eigen::Matrix<double, 6, 2> jacobian = by_right_line(line->segment, pair, counterpart);
+  const Eigen::Vector2d variances(counterpart.sigma_q_px * counterpart.sigma_q_px,
+                                  counterpart.sigma_phi_rad * counterpart.sigma_phi_rad);
   line->cov_m2 += jacobian * variances.asDiagonal() * jacobian.transpose();
   return line;
 }

@@ -64,24 +64,26 @@ double NeighbourHeights::height_at(int left,
   return candidate.overlap.height_at(parameter_along(left_segments_[left], x_px));
 }
 
-double NeighbourHeights::height_of(const Neighbour& neighbour, const CoreCandidate& mate) const {
+double NeighbourHeights::height_of(const Neighbour& neighbour,
+                                   const CoreCandidate& counterpart) const {
   const bool at_junction = noise_ && neighbour.junction_px;
-  return at_junction ? height_at(neighbour.left, mate, *neighbour.junction_px)
-                     : mate.chain.mean_height_m;
+  return at_junction ? height_at(neighbour.left, counterpart, *neighbour.junction_px)
+                     : counterpart.chain.mean_height_m;
 }
 
 bool NeighbourHeights::agree(int left,
                              const CoreCandidate& candidate,
                              const Neighbour& neighbour,
-                             const CoreCandidate& mate,
+                             const CoreCandidate& counterpart,
                              double limit_m) const {
-  if (!noise_) return std::abs(candidate.chain.mean_height_m - mate.chain.mean_height_m) <= limit_m;
+  if (!noise_)
+    return std::abs(candidate.chain.mean_height_m - counterpart.chain.mean_height_m) <= limit_m;
   const double noise_m =
-      kHeightSigmas * std::hypot(candidate.chain.height_sigma_m, mate.chain.height_sigma_m);
+      kHeightSigmas * std::hypot(candidate.chain.height_sigma_m, counterpart.chain.height_sigma_m);
   const double difference_m = neighbour.junction_px
                                   ? std::abs(height_at(left, candidate, *neighbour.junction_px) -
-                                             height_of(neighbour, mate))
-                                  : gap_m(candidate, mate);
+                                             height_of(neighbour, counterpart))
+                                  : gap_m(candidate, counterpart);
   return difference_m <= limit_m + noise_m;
 }
 

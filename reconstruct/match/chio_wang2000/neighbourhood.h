@@ -49,14 +49,15 @@ class NeighbourHeights {
       : left_segments_(left_segments), noise_(noise) {}
 
   /// The height of the neighbour that a candidate is compared with.
-  /// @param mate  the candidate that the neighbour has taken
-  [[nodiscard]] double height_of(const Neighbour& neighbour, const CoreCandidate& mate) const;
+  /// @param counterpart  the candidate that the neighbour has taken
+  [[nodiscard]] double height_of(const Neighbour& neighbour,
+                                 const CoreCandidate& counterpart) const;
 
   /// Whether a candidate of a left segment is as high as its neighbour, within a limit.
   [[nodiscard]] bool agree(int left,
                            const CoreCandidate& candidate,
                            const Neighbour& neighbour,
-                           const CoreCandidate& mate,
+                           const CoreCandidate& counterpart,
                            double limit_m) const;
 
  private:

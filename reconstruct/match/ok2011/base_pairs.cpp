@@ -33,12 +33,12 @@ std::vector<Partner> partners_within(double radius_px,
   std::vector<Partner> partners;
   for (const std::size_t other : index.near(own, radius_px)) {
     if (other == segment) continue;
-    const Segment2& mate = segments[other];
-    if (distance(own, mate) > radius_px) continue;
+    const Segment2& counterpart = segments[other];
+    if (distance(own, counterpart) > radius_px) continue;
     const std::optional<Eigen::Vector2d> x =
-        intersection(own, mate, kMinPairAngle_deg * kRadPerDeg);
+        intersection(own, counterpart, kMinPairAngle_deg * kRadPerDeg);
     if (!x) continue;
-    const double reach_px = std::max(distance(own, *x), distance(mate, *x));
+    const double reach_px = std::max(distance(own, *x), distance(counterpart, *x));
     if (reach_px <= radius_px) partners.push_back({reach_px, static_cast<int>(other)});
   }
   std::ranges::sort(partners, {},

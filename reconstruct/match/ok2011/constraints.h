@@ -17,9 +17,9 @@ namespace ridgeline::reconstruct {
 // perfect agreement, and absent where it is not defined.
 
 /// A pair of segments in one image, in ideal pixels. In the right image the segments run the way of
-/// their left mates.
+/// their left counterparts.
 struct PairShape {
-  Segment2 first, second;  ///< each clipped to its epipolar overlap with its mate
+  Segment2 first, second;  ///< each clipped to its epipolar overlap with its counterpart
   Eigen::Vector2d intersection;
   bool clipped = true;  ///< false if a member is near-aligned, so that its ends do not correspond
 };

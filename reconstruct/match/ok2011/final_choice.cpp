@@ -7,9 +7,9 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Largest ratio of the probabilities of the next and the best mate; ours.
+/// Largest ratio of the probabilities of the next and the best counterpart; ours.
 constexpr double kMaxDistanceRatio = 0.8;
-/// Least probability of a match without matched partners, where only its look tells; ours.
+/// Least probability of a match without matched partners, where only its appearance tells; ours.
 constexpr double kMinIsolatedProbability = 0.98;
 
 /// A candidate by left segment and rank.
@@ -36,16 +36,16 @@ std::size_t best_of(const std::vector<Support>& supports) {
   return static_cast<std::size_t>(best - supports.begin());
 }
 
-/// Ratio of the probabilities of the next and the best mate. Fragments of the best mate's edge do
-/// not count as the next.
+/// Ratio of the probabilities of the next and the best counterpart. Fragments of the best
+/// counterpart's edge do not count as the next.
 double distance_ratio(const MatchChoices& choices, std::size_t i, const Supports& of_all) {
   const std::vector<Candidate>& candidates = choices.candidates[i];
   const std::vector<Support>& supports = of_all[i];
   const std::size_t best = best_of(supports);
-  const Segment2& mate = choices.mate(candidates[best]);
+  const Segment2& counterpart = choices.counterpart(candidates[best]);
   double next = 0.0;
   for (std::size_t c = 0; c < candidates.size(); ++c) {
-    if (c == best || are_fragments(mate, choices.mate(candidates[c]))) continue;
+    if (c == best || are_fragments(counterpart, choices.counterpart(candidates[c]))) continue;
     next = std::max(next, supports[c].probability);
   }
   return next / std::max(supports[best].probability, 1e-12);
@@ -66,8 +66,8 @@ double least_probability(const Segment2& left, const Segment2& right, const Matc
   return least;
 }
 
-/// For each left segment, how many of its partners have a mate that can be trusted, so that they
-/// could vote.
+/// For each left segment, how many of its partners have a counterpart that can be trusted, so that
+/// they could vote.
 std::vector<int> voters(const MatchChoices& choices,
                         std::span<const BasePair> pairs,
                         const Supports& supports,
@@ -76,7 +76,7 @@ std::vector<int> voters(const MatchChoices& choices,
     if (supports[i].empty()) return false;
     const std::size_t best = best_of(supports[i]);
     return supports[i][best].probability >=
-           least_probability(choices.left_line(i), choices.mate(choices.candidates[i][best]),
+           least_probability(choices.left_line(i), choices.counterpart(choices.candidates[i][best]),
                              options);
   };
   std::vector<int> count(supports.size(), 0);
@@ -88,7 +88,7 @@ std::vector<int> voters(const MatchChoices& choices,
 }
 
 /// Whether a line's pairs give too few votes to its candidate. An isolated line is taken by its
-/// look if that leaves no doubt.
+/// appearance if that leaves no doubt.
 bool lacks_votes(const Support& support, int n_voters, const MatchOptions& options) {
   constexpr int kIsolated = 1;
   if (support.votes >= options.min_votes) return false;
@@ -107,14 +107,14 @@ MatchOutcome prospect(const MatchChoices& choices,
   if (candidates.empty()) return MatchOutcome::kNoCandidate;
   const std::size_t first = best_of(supports);
   const Support& best = supports[first];
-  const Segment2& mate = choices.mate(candidates[first]);
+  const Segment2& counterpart = choices.counterpart(candidates[first]);
   if (best.probability > kWeak && distance_ratio(choices, i, of_all) > kMaxDistanceRatio) {
     return MatchOutcome::kAmbiguous;
   }
   if (lacks_votes(best, n_voters, options)) return MatchOutcome::kNoPair;
   for (std::size_t c = 0; c < candidates.size(); ++c) {
-    const Segment2& fragment = choices.mate(candidates[c]);
-    if ((c == first || are_fragments(mate, fragment)) &&
+    const Segment2& fragment = choices.counterpart(candidates[c]);
+    if ((c == first || are_fragments(counterpart, fragment)) &&
         supports[c].probability >= least_probability(choices.left_line(i), fragment, options)) {
       return MatchOutcome::kLostVote;
     }
@@ -132,20 +132,22 @@ class Taken {
     of_right_[candidate(choice).right].push_back(choice);
   }
 
-  /// Whether neither segment already has a mate for the same part of it, or a mate of another edge.
+  /// Whether neither segment already has a counterpart for the same part of it, or a counterpart of
+  /// another edge.
   [[nodiscard]] bool allow(const Choice& choice) const {
     const Candidate& own = candidate(choice);
     const auto shares = [&](const Choice& other) {
-      return may_share_mate(choices_.on_left(choice.left, own),
-                            choices_.on_left(other.left, candidate(other)));
+      return may_share_counterpart(choices_.on_left(choice.left, own),
+                                   choices_.on_left(other.left, candidate(other)));
     };
     const auto adds = [&](const Choice& other) {
-      return may_be_mates_of_one(choices_.on_right(own), choices_.on_right(candidate(other)));
+      return may_be_counterparts_of_one(choices_.on_right(own),
+                                        choices_.on_right(candidate(other)));
     };
     const auto takers = of_right_.find(own.right);
-    const auto mates = of_left_.find(choice.left);
+    const auto counterparts = of_left_.find(choice.left);
     return (takers == of_right_.end() || std::ranges::all_of(takers->second, shares)) &&
-           (mates == of_left_.end() || std::ranges::all_of(mates->second, adds));
+           (counterparts == of_left_.end() || std::ranges::all_of(counterparts->second, adds));
   }
 
  private:
@@ -171,7 +173,7 @@ MatchResult final_choice(const MatchChoices& choices,
                          const MatchOptions& options) {
   // A fragment has no rivals among the other fragments, which makes it look more certain than it
   // is.
-  constexpr double kFurtherMate = 0.7;
+  constexpr double kFurtherCounterpart = 0.7;
   const std::vector<int> n_voters = voters(choices, pairs, supports, options);
   MatchResult result;
   result.outcomes.resize(choices.candidates.size());
@@ -185,17 +187,17 @@ MatchResult final_choice(const MatchChoices& choices,
     if (support.probability < options.min_probability) break;
     if (outcome != MatchOutcome::kLostVote && outcome != MatchOutcome::kMatched) continue;
     if (lacks_votes(support, n_voters[choice.left], options)) continue;
-    const Candidate& mate = choices.candidates[choice.left][choice.candidate];
-    if (support.probability <
-        least_probability(choices.left_line(choice.left), choices.mate(mate), options)) {
+    const Candidate& counterpart = choices.candidates[choice.left][choice.candidate];
+    if (support.probability < least_probability(choices.left_line(choice.left),
+                                                choices.counterpart(counterpart), options)) {
       continue;
     }
     const bool is_further = outcome == MatchOutcome::kMatched;
-    if (is_further && support.probability < kFurtherMate) continue;
+    if (is_further && support.probability < kFurtherCounterpart) continue;
     if (!taken.allow(choice)) continue;
     outcome = MatchOutcome::kMatched;
     taken.add(choice);
-    result.matches.push_back({choice.left, mate.right, support.probability, support.votes});
+    result.matches.push_back({choice.left, counterpart.right, support.probability, support.votes});
   }
   std::ranges::sort(result.matches, {}, &Correspondence::segments);
   return result;

@@ -34,7 +34,7 @@ MatchResult match_pairwise(const StereoPair& pair,
   const auto& [left, right, search] = views;
   Radiometry radiometry = relative_radiometry(left.segments, right.segments);
   if (beyond.radiometry) radiometry = beyond.radiometry(views, radiometry);
-  Candidates candidates = match_candidates(views, radiometry, candidate_options, beyond.look);
+  Candidates candidates = match_candidates(views, radiometry, candidate_options, beyond.appearance);
   if (beyond.candidates) beyond.candidates(views, radiometry, candidates);
   const LocalTransfer transfer =
       local_transfer(search, {0.5 * left.image.cols, 0.5 * left.image.rows});

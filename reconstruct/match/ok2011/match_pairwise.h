@@ -16,7 +16,7 @@ namespace ridgeline::reconstruct {
 struct MatchExtensions {
   /// Gives a better radiometry than the first one, which comes from the flanks of all segments.
   std::function<Radiometry(const SearchedPair& pair, const Radiometry& first)> radiometry;
-  CandidateLook look;
+  CandidateAppearance appearance;
   /// Changes the candidates, best first, once all of them are known.
   std::function<void(
       const SearchedPair& pair, const Radiometry& radiometry, Candidates& candidates)>
@@ -29,7 +29,7 @@ enum class MatchOutcome : std::uint8_t {
   kNoCandidate,  ///< no right segment in its epipolar band that could be it
   kLowScore,     ///< its best candidate does not look or fit well enough
   kAmbiguous,    ///< two candidates are about as good
-  kNoPair,       ///< no pair supports its best candidate, and its look alone does not suffice
+  kNoPair,       ///< no pair supports its best candidate, and its appearance alone does not suffice
   kLostVote,     ///< its best candidate belongs to another left segment
 };
 const char* name(MatchOutcome outcome);  ///< "matched", "no_candidate", ...
@@ -45,8 +45,8 @@ struct MatchResult {
 /// segments are compared with pairs of candidates by eight constraints; the votes of the pairs,
 /// iterated to a fixed point, decide. Beyond the paper, single lines have a similarity of their own
 /// (both sides of the line compared separately) and neighbours support heights near theirs, so that
-/// isolated lines are not lost. Fragments of one edge, in either image, may share a mate; two edges
-/// never do.
+/// isolated lines are not lost. Fragments of one edge, in either image, may share a counterpart;
+/// two edges never do.
 ///
 /// Deterministic for any number of threads. Throws std::invalid_argument for options or heights out
 /// of range, matrices that are not finite or without epipolar geometry, and images of other types

@@ -16,7 +16,7 @@ namespace {
 constexpr int kMaxVotingPasses = 20;
 constexpr double kFixedPoint = 1e-4;  // the passes end when no probability changes by this
 /// A share of support starts from "undecided" with this weight: a lone neighbour proves little, and
-/// a segment without neighbours is judged by its look.
+/// a segment without neighbours is judged by its appearance.
 constexpr double kLittle = 0.5;
 constexpr double kUndecided = 0.5;
 

@@ -18,18 +18,18 @@ struct MatchChoices {
   [[nodiscard]] const Segment2& left_line(std::size_t i) const {
     return left.segments[i].line.segment;
   }
-  [[nodiscard]] const Segment2& mate(const Candidate& candidate) const {
+  [[nodiscard]] const Segment2& counterpart(const Candidate& candidate) const {
     return right.segments[candidate.right].line.segment;
   }
   [[nodiscard]] OverlappedSegment on_left(std::size_t i, const Candidate& candidate) const {
     return {left_line(i), candidate.overlap};
   }
   [[nodiscard]] OverlappedSegment on_right(const Candidate& candidate) const {
-    return {mate(candidate), candidate.overlap};
+    return {counterpart(candidate), candidate.overlap};
   }
 };
 
-/// What speaks for a candidate besides its own look.
+/// What speaks for a candidate besides its own appearance.
 struct Support {
   /// Sum of the votes of its partners. Each partner counts with its best pair: the vote of the pair
   /// times the probability of the other member.
@@ -39,7 +39,7 @@ struct Support {
   /// Near neighbours weigh more.
   double height = 0.0;
   int n_pairs = 0;           ///< partners that support it
-  double probability = 0.0;  ///< that it is the mate, against its rivals
+  double probability = 0.0;  ///< that it is the counterpart, against its rivals
 };
 
 /// The support of every candidate, in the order of the candidates.
@@ -47,13 +47,14 @@ using Supports = std::vector<std::vector<Support>>;
 
 /// The iterated vote. Each pair match votes for both of its line matches. The vote is vote_of() the
 /// pair's similarity, times the probability that the other member is right. For each partner the
-/// best pair counts. A candidate's strength is a logistic regression over its own look, its votes
-/// and the agreement of its height with its neighbours. Its probability is its strength against
-/// that of its rivals. Rivals are other mates for the left segment, unless the mates are fragments
-/// of one edge, of which one is taken, and other left segments for the mate, unless these may share
-/// it. The regression was fitted to the simulated training scenes (seeds 1 to 8) and then adjusted
-/// for the best quality of matching in them. The vote is repeated to a fixed point, with at most 20
-/// passes. The result is the same for any number of threads.
+/// best pair counts. A candidate's strength is a logistic regression over its own appearance, its
+/// votes and the agreement of its height with its neighbours. Its probability is its strength
+/// against that of its rivals. Rivals are other counterparts for the left segment, unless the
+/// counterparts are fragments of one edge, of which one is taken, and other left segments for the
+/// counterpart, unless these may share it. The regression was fitted to the simulated training
+/// scenes (seeds 1 to 8) and then adjusted for the best quality of matching in them. The vote is
+/// repeated to a fixed point, with at most 20 passes. The result is the same for any number of
+/// threads.
 /// @param transfer  the transfer from the left image to the right one at any place. It gives the
 /// size of a
 ///                  pixel on the ground and the height that corresponds to a pixel of parallax.

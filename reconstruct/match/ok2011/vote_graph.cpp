@@ -31,14 +31,14 @@ NearSegment closest(const Segment2& own, int other, const Segment2& segment) {
   return best;
 }
 
-/// Adds the rivals with the same left segment: its other mates.
+/// Adds the rivals with the same left segment: its other counterparts.
 void add_row_rivals(VoteGraph& graph, const MatchChoices& choices) {
   for (std::size_t i = 0; i + 1 < graph.first.size(); ++i) {
     for (Flat a = graph.first[i]; a < graph.first[i + 1]; ++a) {
       for (Flat b = graph.first[i]; b < graph.first[i + 1]; ++b) {
         if (a == b) continue;
-        if (!are_fragments(choices.mate(*graph.candidates[a]),
-                           choices.mate(*graph.candidates[b]))) {
+        if (!are_fragments(choices.counterpart(*graph.candidates[a]),
+                           choices.counterpart(*graph.candidates[b]))) {
           graph.rivals[a].push_back(b);
         }
       }
@@ -46,7 +46,7 @@ void add_row_rivals(VoteGraph& graph, const MatchChoices& choices) {
   }
 }
 
-/// Adds the rivals with the same mate: other left segments that it may belong to.
+/// Adds the rivals with the same counterpart: other left segments that it may belong to.
 void add_column_rivals(VoteGraph& graph, const MatchChoices& choices) {
   const auto part = [&](Flat c) { return choices.on_left(graph.left[c], *graph.candidates[c]); };
   std::vector<std::vector<Flat>> of_right(choices.right.segments.size());
@@ -56,7 +56,7 @@ void add_column_rivals(VoteGraph& graph, const MatchChoices& choices) {
   for (const std::vector<Flat>& column : of_right) {
     for (const Flat a : column) {
       for (const Flat b : column) {
-        if (a != b && !may_share_mate(part(a), part(b))) graph.rivals[a].push_back(b);
+        if (a != b && !may_share_counterpart(part(a), part(b))) graph.rivals[a].push_back(b);
       }
     }
   }

@@ -40,8 +40,8 @@ struct VoteGraph {
   double same_height_m = 0.0;  ///< lines that meet in the image are this close in height
 };
 
-/// Rivals of a candidate are other mates of its left segment, unless both are fragments of one
-/// edge, and the same mate for other left segments, unless these may share it.
+/// Rivals of a candidate are other counterparts of its left segment, unless both are fragments of
+/// one edge, and the same counterpart for other left segments, unless these may share it.
 /// @param transfer  see similarity_votes()
 VoteGraph vote_graph(const MatchChoices& choices,
                      std::span<const PairMatch> pairs,

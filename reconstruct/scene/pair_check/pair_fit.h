@@ -27,7 +27,7 @@ struct PairGeometry {
 /// images.
 struct PairFit {
   std::size_t n_points = 0;  ///< number of points that both cameras can have seen
-  /// Median distance of a point from the epipolar line of its mate, px; NaN without points.
+  /// Median distance of a point from the epipolar line of its counterpart, px; NaN without points.
   double median_y_parallax_px = 0.0;
   /// Share in [0, 1] of the points within the limit of the part of the epipolar line that the
   /// heights allow.

@@ -127,7 +127,7 @@ TEST_F(SlurmJobTest, ShortTasksShareAnElementOfAMinute) {
   EXPECT_THAT(script, HasSubstr("--array=1-12\n"));
 }
 
-TEST_F(SlurmJobTest, LimitsLieAboveWhatIsForeseen) {
+TEST_F(SlurmJobTest, LimitsLieAboveTheEstimates) {
   const std::string script = tasks_script(job(3, 100.0));
   EXPECT_THAT(script, HasSubstr("--time=15\n")) << "three times 100 s and 10 minutes";
   EXPECT_THAT(script, HasSubstr("--mem=1756M\n")) << "1.5 times 1000 MiB and 256";

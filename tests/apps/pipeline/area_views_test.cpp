@@ -65,13 +65,13 @@ TEST(WindowOfArea, EndsAtTheBorderOfTheFrame) {
 
 TEST(BestImages, AreThoseThatShowTheAreaTheBaseFirst) {
   const std::vector<io::PatchImage> images{frame_above("far", 7000.0, 5000.0),
-                                           frame_above("mate", 4130.0, 5020.0),
+                                           frame_above("counterpart", 4130.0, 5020.0),
                                            frame_above("base", 4030.0, 5030.0)};
   const std::vector<io::PatchImage> best =
       best_images(images, io::kDefaultMaxViews, searched_place());
   ASSERT_EQ(best.size(), 2U);
   EXPECT_EQ(best[0].id, "base");
-  EXPECT_EQ(best[1].id, "mate");
+  EXPECT_EQ(best[1].id, "counterpart");
 }
 
 TEST(ImagesThatShow, AreThoseThatShowTheArea) {

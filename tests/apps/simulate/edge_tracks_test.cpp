@@ -121,10 +121,10 @@ TEST(WithoutDuplicates, KeepsWhatAnyViewTellsApart) {
   const Segment2 beside{{0.0, 0.5}, {40.0, 0.5}};
   const Segment2 apart{{0.0, 3.0}, {40.0, 3.0}};
   const ShownEdge line{"eave", 0, {{0, {}, here, 1.0}, {1, {}, here, 1.0}, {2, {}, here, 1.0}}};
-  const ShownEdge twin{"gutter", 2, {{0, {}, beside, 1.0}, {1, {}, beside, 1.0}}};
+  const ShownEdge duplicate{"gutter", 2, {{0, {}, beside, 1.0}, {1, {}, beside, 1.0}}};
   const ShownEdge other{
       "wall", 2, {{0, {}, beside, 1.0}, {1, {}, beside, 1.0}, {2, {}, apart, 1.0}}};
-  const std::vector<ShownEdge> kept = without_duplicates({twin, other, line});
+  const std::vector<ShownEdge> kept = without_duplicates({duplicate, other, line});
   ASSERT_EQ(kept.size(), 2U);
   EXPECT_EQ(kept[0].kind, "eave");
   EXPECT_EQ(kept[1].kind, "wall");

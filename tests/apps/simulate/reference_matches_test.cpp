@@ -158,21 +158,21 @@ TEST(JudgeMatch, TellsAFalsePairAndAShadowEdge) {
   EXPECT_LT(judge_match(oracle, in(kLeft, shadow), in(kRight, shadow)).right_distance_px, 0.05);
 }
 
-TEST(SurfaceOracle, FindsTheMateOfAPixelUnlessItIsHidden) {
+TEST(SurfaceOracle, FindsTheCounterpartOfAPixelUnlessItIsHidden) {
   const Scene scene = level_plate(4.0);
   const std::vector<AerialView> views = aerial_views(scene, {});
   const SurfaceOracle oracle(scene, views);
   const Eigen::Vector3d on_plate(9.0, 9.5, 4.0);
-  const auto mate = oracle.mate_of(kLeft, kRight, oracle.pixel_of(kLeft, on_plate));
-  ASSERT_TRUE(mate);
-  EXPECT_LT((*mate - oracle.pixel_of(kRight, on_plate)).norm(), 1e-6);
+  const auto counterpart = oracle.counterpart_of(kLeft, kRight, oracle.pixel_of(kLeft, on_plate));
+  ASSERT_TRUE(counterpart);
+  EXPECT_LT((*counterpart - oracle.pixel_of(kRight, on_plate)).norm(), 1e-6);
   // the plate, 4 m up, hides 0.5 m of the ground beside it from the camera on its other side
   const Eigen::Vector3d beside(7.9, 10.0, 0.0);
   const auto seen = oracle.seen_at(kLeft, oracle.pixel_of(kLeft, beside));
   ASSERT_TRUE(seen);
   EXPECT_LT((seen->x - beside).norm(), 1e-6);
   EXPECT_FALSE(oracle.visible(kRight, beside));
-  EXPECT_FALSE(oracle.mate_of(kLeft, kRight, oracle.pixel_of(kLeft, beside)));
+  EXPECT_FALSE(oracle.counterpart_of(kLeft, kRight, oracle.pixel_of(kLeft, beside)));
   EXPECT_TRUE(oracle.visible(kRight, {7.3, 10.0, 0.0}));
   EXPECT_FALSE(oracle.visible(kLeft, {500.0, 0.0, 0.0}));  // not in the image
 }
@@ -187,9 +187,9 @@ TEST(SurfaceOracle, FollowsAPixelBetweenAnyTwoViews) {
   const Eigen::Vector3d on_plate(9.0, 9.5, 4.0);
   for (std::size_t from = 0; from < oracle.num_views(); ++from) {
     for (std::size_t to = 0; to < oracle.num_views(); ++to) {
-      const auto mate = oracle.mate_of(from, to, oracle.pixel_of(from, on_plate));
-      ASSERT_TRUE(mate);
-      EXPECT_LT((*mate - oracle.pixel_of(to, on_plate)).norm(), kTolPx) << from << " " << to;
+      const auto counterpart = oracle.counterpart_of(from, to, oracle.pixel_of(from, on_plate));
+      ASSERT_TRUE(counterpart);
+      EXPECT_LT((*counterpart - oracle.pixel_of(to, on_plate)).norm(), kTolPx) << from << " " << to;
     }
   }
 }

@@ -152,7 +152,7 @@ TEST(Radiance, BothViewsSeeOneTexture) {
   for (int trial = 0; trial < 2000; ++trial) {
     const Eigen::Vector2d left_px{random.uniform(4.0, views[0].size_px.x() - 5.0),
                                   random.uniform(4.0, views[0].size_px.y() - 5.0)};
-    const auto right_px = oracle.mate_of(0, 1, left_px);
+    const auto right_px = oracle.counterpart_of(0, 1, left_px);
     if (!right_px || (right_px->array() < 4.0).any() ||
         (right_px->array() > views[1].size_px.cast<double>().array() - 8.0).any()) {
       continue;

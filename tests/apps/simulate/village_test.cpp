@@ -155,9 +155,9 @@ TEST_P(EachSeed, HousesKeepApartAndInside) {
                     (corner.array() <= scene.extent_m.array()).all());
       }
       for (const SceneBuilding& b : scene.buildings) {
-        const bool row_mates =
+        const bool row_counterparts =
             a.type == RoofType::kRow && b.type == RoofType::kRow && std::abs(a.id - b.id) <= 2;
-        if (a.id == b.id || row_mates) continue;
+        if (a.id == b.id || row_counterparts) continue;
         for (const ConvexPolygon& other : b.roof_footprint) EXPECT_FALSE(overlap(outline, other));
       }
     }

@@ -67,8 +67,8 @@ TEST(MakeBuilding, GivesClosedShellsOfFlatFaces) {
         for (std::size_t i = 0; i < ring.size(); ++i) {
           EXPECT_NEAR(normal.dot(ring[i] - ring[0]), 0.0, kRounding_m);
           const std::pair edge(place_of(ring[i]), place_of(ring[(i + 1) % ring.size()]));
-          const auto twin = open.find({edge.second, edge.first});
-          twin == open.end() ? void(open.insert(edge)) : void(open.erase(twin));
+          const auto duplicate = open.find({edge.second, edge.first});
+          duplicate == open.end() ? void(open.insert(edge)) : void(open.erase(duplicate));
         }
       }
     }

@@ -52,8 +52,8 @@ TEST(ScoreTracks, CountsEdgesTheirImagesAndObservations) {
   EXPECT_EQ(total.n_shown_found, 4U);
   EXPECT_EQ(total.n_right, 4U);
   EXPECT_EQ(total.n_wrong, 1U);
-  EXPECT_DOUBLE_EQ(*total.sighting_recall(), 0.8);
-  EXPECT_DOUBLE_EQ(*total.sighting_precision(), 0.8);
+  EXPECT_DOUBLE_EQ(*total.observation_recall(), 0.8);
+  EXPECT_DOUBLE_EQ(*total.observation_precision(), 0.8);
   EXPECT_EQ(cell(score, "aligned").n_right, 2U);
   EXPECT_EQ(cell(score, "not_aligned", image_group(3)).n_wrong, 1U);
   EXPECT_EQ(cell(score, "total", image_group(2)).n_edges, 1U);

@@ -74,7 +74,7 @@ TEST(EstimateShift, IsExactWithoutErrors) {
   const ConstantShift shift = estimate_shift(houses(kStreets, kShift), kLidarAccuracy_m).value();
   for (int axis = 0; axis < 3; ++axis)
     EXPECT_NEAR(shift.axes[static_cast<std::size_t>(axis)].shift_m.value(), kShift[axis], kExact_m);
-  EXPECT_TRUE(shift.untold.empty());
+  EXPECT_TRUE(shift.unobservable.empty());
   EXPECT_NEAR(shift.least_m, kShift.norm(), kExact_m);
   EXPECT_TRUE(shift.is_significant());
   EXPECT_EQ(shift.n_lines, 7 * kStreets.size());
@@ -98,7 +98,7 @@ TEST(EstimateShift, OfFlatPlanesIsAHeightAlone) {
   EXPECT_FALSE(shift.axes[0].shift_m.has_value());
   EXPECT_FALSE(shift.axes[1].shift_m.has_value());
   EXPECT_NEAR(shift.axes[2].shift_m.value(), 0.2, 1e-3);  // the planes are a little tilted
-  EXPECT_EQ(shift.untold.size(), 2U);
+  EXPECT_EQ(shift.unobservable.size(), 2U);
   const std::string json = shift_json(shift)["axes"].dump();
   EXPECT_THAT(json, HasSubstr("\"x\":null,\"y\":null"));
   EXPECT_THAT(shift_text(shift), HasSubstr("x, y not observable from these planes"));
@@ -118,9 +118,9 @@ TEST(EstimateShift, OfNearlyFlatPlanesTakesNoPlanFromALargeHeight) {
 TEST(EstimateShift, OfParallelRidgesTellsThePlanAcrossThem) {
   const std::vector<double> parallel(12, 30.0);
   const ConstantShift shift = estimate_shift(houses(parallel, kShift), kLidarAccuracy_m).value();
-  ASSERT_EQ(shift.untold.size(), 1U);
+  ASSERT_EQ(shift.unobservable.size(), 1U);
   const Eigen::Vector3d along(0.5, std::sqrt(0.75), 0.0);
-  EXPECT_NEAR(std::abs(shift.untold[0].dot(along)), 1.0, kExact_m);
+  EXPECT_NEAR(std::abs(shift.unobservable[0].dot(along)), 1.0, kExact_m);
   EXPECT_FALSE(shift.axes[0].shift_m || shift.axes[1].shift_m);
   EXPECT_NEAR(shift.axes[2].shift_m.value(), kShift.z(), kExact_m);
   EXPECT_LT((shift.shift_m - (kShift - along * along.dot(kShift))).norm(), kExact_m);
@@ -132,7 +132,7 @@ TEST(EstimateShift, OfOneSlopeIsTheDistanceFromIt) {
   for (std::uint64_t id = 1; id <= 20; ++id)
     lines.push_back(line_beside(falling(180.0, 30.0), 0.25, id));
   const ConstantShift shift = estimate_shift(lines, kLidarAccuracy_m).value();
-  EXPECT_EQ(shift.untold.size(), 2U);
+  EXPECT_EQ(shift.unobservable.size(), 2U);
   EXPECT_LT((shift.shift_m - 0.25 * falling(180.0, 30.0)).norm(), kExact_m);
   EXPECT_THAT(shift_text(shift), HasSubstr("along (0.00, -0.50, 0.87) 0.250 +- 0.000 m"));
 }

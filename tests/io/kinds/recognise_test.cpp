@@ -165,7 +165,7 @@ TEST(BeginningOf, AHugeFileIsNoMoreThanItsFirstBytes) {
   const std::string file = folder.write("a.las", "LASF");
   std::filesystem::resize_file(file, std::uintmax_t{1} << 40U);  // the file is sparse
   EXPECT_THAT(beginning_of(file), SizeIs(kTelling_bytes));
-  EXPECT_THAT(io_error_of([&] { refuse_other_kind(file, FileGroup::kPatch); }),
+  EXPECT_THAT(io_error_of([&] { require_kind(file, FileGroup::kPatch); }),
               HasSubstr("is a LAS point cloud, not a patch file"));
 }
 

@@ -82,12 +82,12 @@ TEST(ChooseViews, ViewsThatDoNotShowThePlaceAreLeftOut) {
   EXPECT_THAT(chosen({view_above("far", 900.0, 0.0)}, 5), IsEmpty());
 }
 
-TEST(ChooseViews, ViewInTheSamePlaceIsNoMate) {
+TEST(ChooseViews, ViewInTheSamePlaceIsNoCounterpart) {
   EXPECT_THAT(chosen({view_above("a", 0.0, 0.0), view_above("again", 5.0, 0.0)}, 2),
               testing::ElementsAre("a"));
 }
 
-TEST(ChooseViews, MateIsTheOneWithTheBestBaseThatCanBeMatched) {
+TEST(ChooseViews, CounterpartIsTheOneWithTheBestBaseThatCanBeMatched) {
   std::vector<CandidateView> views{view_above("a", 0.0, 0.0), view_above("near", 50.0, 0.0),
                                    view_above("good", 150.0, 0.0)};
   EXPECT_THAT(chosen(views, 2), testing::ElementsAre("a", "good"));
@@ -102,7 +102,7 @@ TEST(ChooseViews, MateIsTheOneWithTheBestBaseThatCanBeMatched) {
   EXPECT_THAT(chosen({views[0], wide}, 2), testing::ElementsAre("a", "wide"));
 }
 
-TEST(ChooseViews, MateIsNotChosenForTheFewLinesAlongTheBase) {
+TEST(ChooseViews, CounterpartIsNotChosenForTheFewLinesAlongTheBase) {
   // The base of a and long lies along one of the directions in which lines are looked at, that of a
   // and short does not.
   const std::vector<CandidateView> views{view_above("a", 0.0, 0.0), view_above("long", 150.0, 0.0),

@@ -12,7 +12,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 using ::testing::ElementsAre;
-using Look = SearchedViews::Look;
+using Matching = SearchedViews::Matching;
 
 TEST(SearchedViews, HasTheNearestViewsFirst) {
   const test::BlockScene block;
@@ -62,17 +62,17 @@ TEST(SearchedViews, ShowsTheEndsOfASegmentAtTheirHeights) {
   }
 }
 
-TEST(SearchedViews, TellsMatchesByLookInBothDirections) {
+TEST(SearchedViews, TellsMatchesByAppearanceInBothDirections) {
   test::BlockScene block;
   for (const double y : {0.0, 5.0, 10.0}) block.add({{-5.0, y, 0.0}, {5.0, y, 0.0}});
   const std::vector<MatchedPair> pairs{{{3, 1}, {{0, 2}}}};
   const SearchedViews views(block.scene, pairs);
-  EXPECT_EQ(views.look({3, 0}, {1, 2}), Look::kMatched);
-  EXPECT_EQ(views.look({1, 2}, {3, 0}), Look::kMatched);
-  EXPECT_EQ(views.look({3, 0}, {1, 0}), Look::kMatchedElsewhere);
-  EXPECT_EQ(views.look({3, 1}, {1, 2}), Look::kMatchedElsewhere);
-  EXPECT_EQ(views.look({3, 1}, {1, 1}), Look::kUnknown);
-  EXPECT_EQ(views.look({0, 0}, {1, 2}), Look::kUnknown);
+  EXPECT_EQ(views.appearance({3, 0}, {1, 2}), Matching::kMatched);
+  EXPECT_EQ(views.appearance({1, 2}, {3, 0}), Matching::kMatched);
+  EXPECT_EQ(views.appearance({3, 0}, {1, 0}), Matching::kMatchedElsewhere);
+  EXPECT_EQ(views.appearance({3, 1}, {1, 2}), Matching::kMatchedElsewhere);
+  EXPECT_EQ(views.appearance({3, 1}, {1, 1}), Matching::kUnknown);
+  EXPECT_EQ(views.appearance({0, 0}, {1, 2}), Matching::kUnknown);
 }
 
 }  // namespace

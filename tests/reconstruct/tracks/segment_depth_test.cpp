@@ -164,7 +164,7 @@ TEST(ProposeTrack, IsNothingOutsideTheHeightsOrForAWall) {
   EXPECT_FALSE(proposed(wall, {0, 0}));
 }
 
-TEST(ProposeTrack, AMatchByItsLookRaisesTheOddsByLookOdds) {
+TEST(ProposeTrack, AMatchByItsAppearanceRaisesTheOdds) {
   BlockScene block;
   block.add({{-5.0, -3.0, 4.0}, {5.0, 4.0, 5.0}});
   block.add({{-5.0, 97.0, 4.0}, {5.0, 104.0, 5.0}}, {1, 2, 3, 4});

@@ -103,7 +103,7 @@ TEST(TracksOf, RepeatedLinesAreUndecidedByGeometryAlone) {
   }
 }
 
-TEST(TracksOf, RepeatedLinesAreDecidedByTheirLook) {
+TEST(TracksOf, RepeatedLinesAreDecidedByTheirAppearance) {
   const BlockScene block = repeated_lines();
   using Chain = std::array<ViewPair, 2>;
   for (const auto& [first, second] :
@@ -127,7 +127,7 @@ TEST(TracksOf, AlignedLinesHaveNoTrackByGeometryAlone) {
   EXPECT_TRUE(tracks_of(aligned_lines().scene, {}).empty());
 }
 
-TEST(TracksOf, AlignedLinesAreChainedByTheirLook) {
+TEST(TracksOf, AlignedLinesAreChainedByTheirAppearance) {
   const BlockScene block = aligned_lines();
   using Chain = std::array<ViewPair, 2>;
   for (const auto& [first, second] :
@@ -139,7 +139,7 @@ TEST(TracksOf, AlignedLinesAreChainedByTheirLook) {
   }
 }
 
-TEST(TracksOf, AMatchByLookWithoutAThirdViewIsATrackOfTwo) {
+TEST(TracksOf, AMatchByAppearanceWithoutAThirdViewIsATrackOfTwo) {
   BlockScene block;
   block.add({{-8.0, -6.0, 4.0}, {8.0, 6.0, 5.0}}, {2, 3, 4});
   EXPECT_TRUE(tracks_of(block.scene, {}).empty());

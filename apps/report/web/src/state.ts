@@ -60,7 +60,7 @@ export class State {
 
   /** Index of the line that was made of a segment of an image; null if there is none. */
   lineOfSegment(view: number, segment: number): number | null {
-    const index = this.method.lines.findIndex((l) => l.sightings?.some((s) => s[0] === view && s[1] === segment));
+    const index = this.method.lines.findIndex((l) => l.observations?.some((s) => s[0] === view && s[1] === segment));
     return index < 0 ? null : index;
   }
 }

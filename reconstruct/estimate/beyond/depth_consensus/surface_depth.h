@@ -26,7 +26,7 @@ namespace ridgeline::reconstruct {
 /// surface that is wrong, as in deep shadow, costs a profile no more than that.
 class SurfaceDepth {
  public:
-  /// @param line  the track, or the part of it that its mate shows
+  /// @param line  the track, or the part of it that its counterpart shows
   /// All arguments must live as long as the result.
   SurfaceDepth(const Surface& surface, const TrackedLines& lines, const ObservedTrack& line);
 

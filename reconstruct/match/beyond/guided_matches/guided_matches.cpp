@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/match/beyond/guided_matches/guided_matches.h"
 
-#include "reconstruct/appearance/edge_look.h"
+#include "reconstruct/appearance/edge_appearance.h"
 #include "reconstruct/extract/ok2011/edge_segments.h"
 #include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/interruption.h"
-#include "reconstruct/match/beyond/guided_matches/mate_prediction.h"
+#include "reconstruct/match/beyond/guided_matches/counterpart_prediction.h"
 #include "reconstruct/match/beyond/guided_matches/step_along.h"
 
 #include <tbb/parallel_for.h>
@@ -20,13 +20,13 @@ namespace {
 
 // Least length of a guide, because shorter ones are often texture.
 constexpr double kMinGuideLength_px = 15.0;
-/// Least similarity of a match by its look (calibration.md).
+/// Least similarity of a match by its appearance (calibration.md).
 constexpr double kMinGuidedSimilarity = 0.8;
 
-/// A step that may be the mate of a segment of the other view.
+/// A step that may be the counterpart of a segment of the other view.
 struct FoundStep {
   std::size_t guide;  ///< index of that segment
-  EdgeSegment mate;
+  EdgeSegment counterpart;
   double similarity = 0.0;
 };
 
@@ -55,10 +55,10 @@ bool is_covered(const Segment2& segment, const BoxIndex2& index, std::span<const
   return covered_px > kMaxCoveredShare * length(segment);
 }
 
-/// For each segment of a view, whether it has a mate.
-std::vector<char> has_mate(const StereoPair& pair,
-                           std::span<const Correspondence> known,
-                           std::size_t view) {
+/// For each segment of a view, whether it has a counterpart.
+std::vector<char> has_counterpart(const StereoPair& pair,
+                                  std::span<const Correspondence> known,
+                                  std::size_t view) {
   std::vector<char> has(pair.views[view]->segments.size(), 0);
   for (const Correspondence& m : known)
     has.at(static_cast<std::size_t>(view == 0 ? m.base : m.other)) = 1;
@@ -73,17 +73,17 @@ std::vector<FoundStep> steps_of(const StereoPair& pair,
                                 const ExtractOptions& options) {
   const std::vector<EdgeSegment>& guides = pair.views[from]->segments;
   const View& there = *pair.views[1 - from];
-  const MatePrediction prediction(surface, from);
+  const PredictedCounterpart prediction(surface, from);
   const ImageSampler image(there.image);
-  const std::vector<char> is_matched = has_mate(pair, known, from);
+  const std::vector<char> is_matched = has_counterpart(pair, known, from);
   std::vector<std::optional<EdgeTrace>> found(guides.size());
   tbb::parallel_for(std::size_t{0}, guides.size(), [&](std::size_t i) {
     Interruption::check();
     const Segment2& guide = guides[i].line.segment;
     if (is_matched[i] != 0 || length(guide) < kMinGuideLength_px) return;
-    if (const auto mate = prediction.of(guide)) {
-      const Segment2 in_image{image_from_ideal(there.ideal_from_image, mate->start),
-                              image_from_ideal(there.ideal_from_image, mate->end)};
+    if (const auto counterpart = prediction.of(guide)) {
+      const Segment2 in_image{image_from_ideal(there.ideal_from_image, counterpart->start),
+                              image_from_ideal(there.ideal_from_image, counterpart->end)};
       found[i] = step_along(image, in_image);
     }
   });
@@ -92,11 +92,11 @@ std::vector<FoundStep> steps_of(const StereoPair& pair,
   std::vector<FoundStep> steps;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (!found[i]) continue;
-    for (EdgeSegment& mate :
+    for (EdgeSegment& counterpart :
          edge_segments({*found[i]}, there.image, there.ideal_from_image, options)) {
-      if (is_covered(mate.line.segment, index, segments)) continue;
-      mate.guided = true;
-      steps.push_back({i, std::move(mate)});
+      if (is_covered(counterpart.line.segment, index, segments)) continue;
+      counterpart.guided = true;
+      steps.push_back({i, std::move(counterpart)});
     }
   }
   return steps;
@@ -106,23 +106,23 @@ View without_segments(const View& view) {
   return {view.id, view.image_from_local, view.image, view.ideal_from_image};
 }
 
-/// Sets the similarity of steps and their guides by their look.
+/// Sets the similarity of steps and their guides by their appearance.
 void compare(const StereoPair& pair,
              std::size_t from,
              const GuideOptions& options,
-             const CandidateLook& change_look,
+             const CandidateAppearance& change_appearance,
              std::vector<FoundStep>& steps) {
   constexpr double kUndecided = 0.5;
   std::array<View, 2> guided{without_segments(*pair.views[0]), without_segments(*pair.views[1])};
   for (const FoundStep& step : steps) {
     guided[from].segments.push_back(pair.views[from]->segments[step.guide]);
-    guided[1 - from].segments.push_back(step.mate);
+    guided[1 - from].segments.push_back(step.counterpart);
   }
   const Radiometry radiometry =
       relative_radiometry(pair.views[0]->segments, pair.views[1]->segments);
   const Candidates candidates =
       match_candidates(searched({{guided.data(), guided.data() + 1}, pair.height_range_in_local_m}),
-                       radiometry, options.candidates, change_look);
+                       radiometry, options.candidates, change_appearance);
   for (std::size_t k = 0; k < steps.size(); ++k) {
     for (const Candidate& candidate : candidates[k]) {
       if (candidate.right != static_cast<int>(k)) continue;
@@ -139,28 +139,29 @@ GuidedMatches guided_matches(const StereoPair& pair,
                              const Surface& surface,
                              std::span<const Correspondence> known,
                              const GuideOptions& options,
-                             const CandidateLook& change_look) {
+                             const CandidateAppearance& change_appearance) {
   GuidedMatches result;
   for (const std::size_t from : {0U, 1U}) {
     std::vector<FoundStep> steps = steps_of(pair, surface, known, from, options.edges);
-    compare(pair, from, options, change_look, steps);
+    compare(pair, from, options, change_appearance, steps);
     std::ranges::stable_sort(steps, std::greater{}, &FoundStep::similarity);
     std::vector<char> is_matched(pair.views[from]->segments.size(), 0);
     std::vector<Segment2> taken;
-    std::vector<EdgeSegment>& mates = result.mates[1 - from];
+    std::vector<EdgeSegment>& counterparts = result.counterparts[1 - from];
     for (FoundStep& step : steps) {
       if (step.similarity < kMinGuidedSimilarity) break;
       if (is_matched[step.guide] != 0 ||
-          is_covered(step.mate.line.segment, BoxIndex2(taken), taken)) {
+          is_covered(step.counterpart.line.segment, BoxIndex2(taken), taken)) {
         continue;
       }
       is_matched[step.guide] = 1;
-      taken.push_back(step.mate.line.segment);
+      taken.push_back(step.counterpart.line.segment);
       const auto guide = static_cast<int>(step.guide);
-      const auto mate = static_cast<int>(pair.views[1 - from]->segments.size() + mates.size());
-      result.matches.push_back(from == 0 ? Correspondence{guide, mate, step.similarity}
-                                         : Correspondence{mate, guide, step.similarity});
-      mates.push_back(std::move(step.mate));
+      const auto counterpart =
+          static_cast<int>(pair.views[1 - from]->segments.size() + counterparts.size());
+      result.matches.push_back(from == 0 ? Correspondence{guide, counterpart, step.similarity}
+                                         : Correspondence{counterpart, guide, step.similarity});
+      counterparts.push_back(std::move(step.counterpart));
     }
   }
   std::ranges::sort(result.matches, {}, &Correspondence::segments);

@@ -15,30 +15,32 @@ namespace ridgeline::reconstruct {
 
 /// Matches of segments that were extracted in one view only.
 struct GuidedMatches {
-  std::array<std::vector<EdgeSegment>, 2> mates;  ///< found mates, by the view that shows them
-  /// In the order of Correspondence::segments(); the indices of mates go on from the pair's
+  std::array<std::vector<EdgeSegment>, 2>
+      counterparts;  ///< found counterparts, by the view that shows them
+  /// In the order of Correspondence::segments(); the indices of counterparts go on from the pair's
   /// segments.
   std::vector<Correspondence> matches;
 };
 
 struct GuideOptions {
-  ExtractOptions edges;         ///< the uncertainty of a mate is stated as these say
-  CandidateOptions candidates;  ///< which segments may be mates
+  ExtractOptions edges;         ///< the uncertainty of a counterpart is stated as these say
+  CandidateOptions candidates;  ///< which segments may be counterparts
 };
 
-/// Looks for the mates of unmatched segments of either view in the other view, where the surfaces
-/// beside the segment predict them (MatePrediction). A step of colour there (step_along()) becomes
-/// the mate if both look alike and if no segment is there already. Such edges are often too weak in
-/// one of the views, or too near to a stronger one, to be found by themselves.
+/// Looks for the counterparts of unmatched segments of either view in the other view, where the
+/// surfaces beside the segment predict them (PredictedCounterpart). A step of colour there
+/// (step_along()) becomes the counterpart if both look alike and if no segment is there already.
+/// Such edges are often too weak in one of the views, or too near to a stronger one, to be found by
+/// themselves.
 ///
-/// A mate ends where its guide does, so the ends do not count for the look. A fence, or another
-/// thing that stands above the surfaces on both its sides, is not where these surfaces predict it;
-/// at times its foot is found there instead.
+/// A counterpart ends where its guide does, so the ends do not count for the appearance. A fence,
+/// or another thing that stands above the surfaces on both its sides, is not where these surfaces
+/// predict it; at times its foot is found there instead.
 /// @param known  the matches of the pair so far
 GuidedMatches guided_matches(const StereoPair& pair,
                              const Surface& surface,
                              std::span<const Correspondence> known,
                              const GuideOptions& options,
-                             const CandidateLook& change_look = {});
+                             const CandidateAppearance& change_appearance = {});
 
 }  // namespace ridgeline::reconstruct

@@ -73,7 +73,7 @@ bool shows_strip(const std::vector<CloseLine>& beside,
   });
 }
 
-const Candidate* with_mate(const std::vector<Candidate>& candidates, int right) {
+const Candidate* with_counterpart(const std::vector<Candidate>& candidates, int right) {
   const auto found = std::ranges::find(candidates, right, &Candidate::right);
   return found == candidates.end() ? nullptr : &*found;
 }
@@ -106,13 +106,13 @@ void add_strips(const StripPair& pair,
                     above.distance_px)) {
       continue;
     }
-    strip.upper_candidate = with_mate(candidates[strip.upper[0]], strip.upper[1]);
+    strip.upper_candidate = with_counterpart(candidates[strip.upper[0]], strip.upper[1]);
     if (strip.upper_candidate == nullptr || strip.upper_candidate->overlap.aligned) continue;
     strips.push_back(strip);
   }
 }
 
-/// 0 for the left side of a segment, 1 for the right one, as in EdgeLook.
+/// 0 for the left side of a segment, 1 for the right one, as in EdgeAppearance.
 int side_of(const EdgeSegment& edge, const Eigen::Vector2d& towards) {
   return normal(edge.line.segment).dot(towards) > 0.0 ? 1 : 0;
 }
@@ -123,11 +123,11 @@ Flank& flank(EdgeSegment& edge, int side) { return side == 0 ? edge.left : edge.
 /// candidate does beyond the strip. It has no profile across the line, because none can be made
 /// that way.
 Candidate across(const HiddenStrip& strip, const StripPair& pair) {
-  EdgeLook look;
+  EdgeAppearance appearance;
   const int above = side_of(pair.segment(0, strip.upper[0]), strip.towards_upper[0]);
-  look.sides[above] = strip.upper_candidate->look.sides[above];
-  look.sides[1 - above] =
-      strip.lower_candidate->look
+  appearance.sides[above] = strip.upper_candidate->appearance.sides[above];
+  appearance.sides[1 - above] =
+      strip.lower_candidate->appearance
           .sides[side_of(pair.segment(0, strip.lower[0]), -strip.towards_upper[0])];
   std::array<EdgeSegment, 2> seen{pair.segment(0, strip.upper[0]), pair.segment(1, strip.upper[1])};
   const Eigen::Vector2d down = -strip.towards_upper[strip.image];
@@ -135,8 +135,9 @@ Candidate across(const HiddenStrip& strip, const StripPair& pair) {
   EdgeSegment& upper = seen[strip.image];
   flank(upper, side_of(upper, down)) = flank(lower, side_of(lower, down));
   Candidate candidate = *strip.upper_candidate;
-  candidate.look = look;
-  candidate.measures = line_measures({seen[0], seen[1], candidate.overlap}, look, pair.radiometry);
+  candidate.appearance = appearance;
+  candidate.measures =
+      line_measures({seen[0], seen[1], candidate.overlap}, appearance, pair.radiometry);
   candidate.similarity = line_similarity(candidate.measures);
   return candidate;
 }

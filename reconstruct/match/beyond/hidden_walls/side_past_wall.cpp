@@ -42,7 +42,7 @@ class LoweredStrips {
 
   /// How alike both images show the strip on a level surface that much below the edge. The image
   /// that faces the wall shows the strip beyond the wall; the other one shows it beside the edge.
-  [[nodiscard]] std::optional<SideLook> look_at(double drop_m) const {
+  [[nodiscard]] std::optional<SideAppearance> look_at(double drop_m) const {
     const Eigen::Vector2d shift_px = -drop_m * transfer_.per_height;
     if (right_px_per_m_ > 0.0) {
       const Strip lowered =
@@ -66,33 +66,33 @@ class LoweredStrips {
 
 }  // namespace
 
-void look_past_wall(const ImagePair& images,
-                    const EdgePair& edges,
-                    const LocalTransfer& transfer,
-                    double most_drop_m,
-                    EdgeLook& look) {
+void appearance_past_wall(const ImagePair& images,
+                          const EdgePair& edges,
+                          const LocalTransfer& transfer,
+                          double most_drop_m,
+                          EdgeAppearance& appearance) {
   constexpr double kMaxAgreement = 0.8;     // a side that agrees more (2 at most) needs no wall
   constexpr double kMinWidth_px = 2.0;      // width of a wall, across the line
   constexpr double kMaxParallax_px = 36.0;  // largest parallax of the wall
   constexpr double kStep_px = 1.5;          // step of the parallax between two heights
   // The best of many heights looks better by this, even if none of them is right.
-  constexpr SideLook kByChance{0.2, 0.012};
-  if (!look.sides[0] || !look.sides[1]) return;
-  const int worse = look.sides[0]->agreement() < look.sides[1]->agreement() ? 0 : 1;
-  if (look.sides[worse]->agreement() > kMaxAgreement) return;
+  constexpr SideAppearance kByChance{0.2, 0.012};
+  if (!appearance.sides[0] || !appearance.sides[1]) return;
+  const int worse = appearance.sides[0]->agreement() < appearance.sides[1]->agreement() ? 0 : 1;
+  if (appearance.sides[worse]->agreement() > kMaxAgreement) return;
   const LoweredStrips strips(images, edges, transfer, worse == 0 ? -1.0 : 1.0);
   const double parallax_px_per_m = transfer.per_height.norm();
   const double highest_m = std::min(kMaxParallax_px / parallax_px_per_m, most_drop_m);
   const double lowest_m = kMinWidth_px / strips.wall_px_per_m();
   const double step_m = kStep_px / parallax_px_per_m;
   for (int k = 0; lowest_m + k * step_m <= highest_m; ++k) {
-    std::optional<SideLook> found = strips.look_at(lowest_m + k * step_m);
+    std::optional<SideAppearance> found = strips.look_at(lowest_m + k * step_m);
     if (!found) continue;
     found->ncc -= kByChance.ncc;
     found->colour_difference += kByChance.colour_difference;
-    if (found->agreement() <= look.sides[worse]->agreement()) continue;
-    look.sides[worse] = found;
-    look.is_past_wall[worse] = true;
+    if (found->agreement() <= appearance.sides[worse]->agreement()) continue;
+    appearance.sides[worse] = found;
+    appearance.is_past_wall[worse] = true;
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/appearance/edge_look.h"
+#include "reconstruct/appearance/edge_appearance.h"
 
 namespace ridgeline::reconstruct {
 
@@ -13,13 +13,13 @@ namespace ridgeline::reconstruct {
 /// best strip more similar by chance; this gain is taken off. If the best strip is still more
 /// similar than the side, it replaces the side. Nothing changes if a side is not seen, or if both
 /// sides agree.
-/// @param look         the look of the line; its worse side is replaced
+/// @param look         the appearance of the line; its worse side is replaced
 /// @param transfer     from the left image to the right one, near the segment
 /// @param most_drop_m  how far below the line the surface may lie
-void look_past_wall(const ImagePair& images,
-                    const EdgePair& edges,
-                    const LocalTransfer& transfer,
-                    double most_drop_m,
-                    EdgeLook& look);
+void appearance_past_wall(const ImagePair& images,
+                          const EdgePair& edges,
+                          const LocalTransfer& transfer,
+                          double most_drop_m,
+                          EdgeAppearance& appearance);
 
 }  // namespace ridgeline::reconstruct

@@ -76,8 +76,8 @@ class BlockFixture {
             {"area_m", {x - 10, y - 10, x + 110, y + 110}},
             {"height_range_m", {1.0, 2.0}},
             {"images", {"a", "b"}},
-            {"foreseen_s", 10.0},
-            {"foreseen_mib", 500.0}};
+            {"estimated_s", 10.0},
+            {"estimated_mib", 500.0}};
   }
 
   void write_plan() const {

@@ -70,7 +70,8 @@ TEST(MergeLines, NoiseOfAMidpointOnTheSeamNeitherLosesNorDoublesALine) {
         merged({found(start + noise(), end + noise(), 0), found(start + noise(), end + noise(), 1)})
             .size());
   }
-  // A thousandth of the twins is taken for two lines by chance; of these half lose or double one.
+  // A thousandth of the duplicates is taken for two lines by chance; of these half lose or double
+  // one.
   EXPECT_NEAR(n_lines, kLines, 2);
 }
 
@@ -128,7 +129,7 @@ TEST(MergeLines, FragmentsGiveWayToTheWholeLine) {
   EXPECT_EQ(lines[0].line, 0U);
 }
 
-TEST(MergeLines, FragmentsThatHardlyOverlapAreNoTwins) {
+TEST(MergeLines, FragmentsThatHardlyOverlapAreNoDuplicates) {
   EXPECT_EQ(
       merged({found({82, 50, 0}, {101, 50, 0}, 0), found({100, 50, 0}, {118, 50, 0}, 1)}).size(),
       2U);
@@ -139,7 +140,7 @@ TEST(MergeLines, FragmentsOfOnePatchAreNotMerged) {
             2U);
 }
 
-TEST(MergeLines, TwinsAreToldByTheirCovariances) {
+TEST(MergeLines, DuplicatesAreRecognisedByTheirCovariances) {
   // A line along the base of its images: its height is known to half a metre only. Each patch has
   // the midpoint of its own.
   FoundLine weak = found({88, 50, 0.7}, {108, 50, 0.7}, 0);
@@ -246,7 +247,7 @@ TEST(LineMerger, NeedsTheLinesOfTwoColumnsOnly) {
   EXPECT_EQ(merger.first_needed(), n_before + n_last);
 }
 
-TEST(MergeLines, LinesFarApartInPlanAreNoTwinsWhateverTheirCovariances) {
+TEST(MergeLines, LinesFarApartInPlanAreNoDuplicatesWhateverTheirCovariances) {
   FoundLine weak = found({88, 51.5, 0}, {108, 51.5, 0}, 0);
   weak.line.covariance_m2 *= 2500.0;
   EXPECT_EQ(merged({weak, found({92, 50, 0}, {112, 50, 0}, 1)}).size(), 2U);

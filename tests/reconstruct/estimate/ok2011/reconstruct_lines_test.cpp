@@ -88,7 +88,7 @@ TEST(ReconstructLines, TheThresholdAngleIsStillAligned) {
   EXPECT_EQ(group.reconstruct(options)[0].line_class, LineClass::kNotAligned);
 }
 
-TEST(ReconstructLines, ALongSegmentIsNotCarriedOnFarBeyondAShortMate) {
+TEST(ReconstructLines, ALongSegmentIsNotCarriedOnFarBeyondAShortCounterpart) {
   constexpr double kShare = 0.12;  // share of the line that the right image shows
   LineGroup group = make_group(line_at(40.0), {});
   UncertainSegment2& right = group.segments[1][0];
@@ -108,7 +108,7 @@ TEST(ReconstructLines, ALongSegmentIsNotCarriedOnFarBeyondAShortMate) {
   EXPECT_LT(*line.direct_sigma_z_m, 0.3 * *published.direct_sigma_z_m);
 }
 
-TEST(ReconstructLines, OfALineWithTwoMatesEachGivesThePartThatItsMateShows) {
+TEST(ReconstructLines, OfALineWithTwoCounterpartsEachGivesThePartThatItsCounterpartShows) {
   LineGroup group = make_group(line_at(60.0), {});
   const Segment3 whole = group.truth[0];
   const std::array<Segment3, 2> parts{Segment3{whole.start, point_at(whole, 0.4)},

@@ -21,20 +21,20 @@ test::ErrorSummary errors_of(const test::BlurredScene& scene, bool faint_edges) 
 TEST(WithFaintEdges, FindsFaintEdgesAsAccurately) {
   // the steps are twice the noise
   const test::BlurredScene scene = test::blurred_scene(5, {.noise = 0.01, .contrast = 0.02});
-  const test::ErrorSummary two_looks = errors_of(scene, true);
-  const test::ErrorSummary one_look = errors_of(scene, false);
-  EXPECT_LT(one_look.completeness, 0.5);
-  EXPECT_GT(two_looks.completeness, 0.7);
-  EXPECT_LT(two_looks.rms_px, 1.1 * one_look.rms_px);
-  EXPECT_LT(two_looks.across_z2, 1.0);  // the systematic part of the sigma has reserves
+  const test::ErrorSummary two_appearances = errors_of(scene, true);
+  const test::ErrorSummary one_appearance = errors_of(scene, false);
+  EXPECT_LT(one_appearance.completeness, 0.5);
+  EXPECT_GT(two_appearances.completeness, 0.7);
+  EXPECT_LT(two_appearances.rms_px, 1.1 * one_appearance.rms_px);
+  EXPECT_LT(two_appearances.across_z2, 1.0);  // the systematic part of the sigma has reserves
 }
 
 TEST(WithFaintEdges, LeavesClearEdgesAsTheyAre) {
   const test::BlurredScene scene = test::blurred_scene(5, {.noise = 0.01, .contrast = 0.2});
-  const test::ErrorSummary two_looks = errors_of(scene, true);
-  const test::ErrorSummary one_look = errors_of(scene, false);
-  EXPECT_EQ(two_looks.rms_px, one_look.rms_px);
-  EXPECT_EQ(two_looks.completeness, one_look.completeness);
+  const test::ErrorSummary two_appearances = errors_of(scene, true);
+  const test::ErrorSummary one_appearance = errors_of(scene, false);
+  EXPECT_EQ(two_appearances.rms_px, one_appearance.rms_px);
+  EXPECT_EQ(two_appearances.completeness, one_appearance.completeness);
 }
 
 TEST(WithFaintEdges, LooksOnceAtAnImageWhoseFirstLookIsAsSmooth) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/match/beyond/matched_radiometry.h"
 
-#include "reconstruct/appearance/edge_look.h"
+#include "reconstruct/appearance/edge_appearance.h"
 #include "tests/reconstruct/match/ok2011/painted_pair.h"
 
 #include <gmock/gmock.h>
@@ -77,8 +77,8 @@ TEST(MatchedRadiometry, StaysAsItWasWithoutCommonSurfaces) {
 
 TEST(MatchedRadiometry, DoesNotTakeAWallForTheGroundThatTheOtherImageShows) {
   // beside the east edge of each roof the left image shows the ground and the right one a wall, 14
-  // px wide, which is one of the widths that look_past_wall() tries; without it there are too few
-  // surfaces
+  // px wide, which is one of the widths that appearance_past_wall() tries; without it there are too
+  // few surfaces
   constexpr double kEaves_m = 4.284;
   std::vector<PaintedPair::Roof> roofs;
   for (const double west : {-13.0, -5.0}) {

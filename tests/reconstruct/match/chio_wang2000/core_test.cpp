@@ -37,7 +37,7 @@ class Core : public testing::Test {
   const Segment3 eave_{{-6.0, -5.0, 6.0}, {-6.0, 5.0, 6.0}};
 };
 
-TEST_F(Core, PassesTheTrueMate) {
+TEST_F(Core, PassesTheTrueCounterpart) {
   add(eave_, eave_);
   const CoreCandidates found = candidates({});
   ASSERT_EQ(found.list.size(), 1U);
@@ -52,8 +52,8 @@ TEST_F(Core, RejectsWithTheReason) {
   ChioOptions options;
   options.min_pieces = 500;
   EXPECT_EQ(candidates(options).reason, ChioOutcome::kFewPieces);
-  EdgeSegment& mate = pair_.views[1].segments[0];
-  for (Flank* flank : {&mate.left, &mate.right}) flank->colour[0] += 30.0F / 255.0F;
+  EdgeSegment& counterpart = pair_.views[1].segments[0];
+  for (Flank* flank : {&counterpart.left, &counterpart.right}) flank->colour[0] += 30.0F / 255.0F;
   EXPECT_EQ(candidates({}, {}).reason, ChioOutcome::kFlank);
 }
 
@@ -70,7 +70,7 @@ TEST_F(Core, RejectsALineOnTextureAlongTheBaseAsUneven) {
 }
 
 TEST_F(Core, RejectsASteepLineAndATurnedOne) {
-  // its mate implies a rise of 14 m over 10 m, which also turns it by 0.26 * 1.4: 20 degrees
+  // its counterpart implies a rise of 14 m over 10 m, which also turns it by 0.26 * 1.4: 20 degrees
   pair_.add_segment(0, eave_);
   const Eigen::Vector3d centre(0.0, 0.0, test::StereoPair::kHeight_m);
   const auto along_ray = [&](const Eigen::Vector3d& x, double z) {

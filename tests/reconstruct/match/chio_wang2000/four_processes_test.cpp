@@ -147,7 +147,7 @@ TEST_F(FigureThree, TheHeightOfTheNeighbourChoosesAmongCandidates) {
   EXPECT_EQ(candidates_[kC].list[acquired[kC]->candidate].right, kC);
 }
 
-TEST_F(FigureThree, TwoCandidatesOfOneLookAreAmbiguousButByPaper) {
+TEST_F(FigureThree, TwoCandidatesOfOneAppearanceAreAmbiguousButByPaper) {
   views_[1].segments.push_back(
       test::edge(project(pair_.right, Segment3{{3.8, 0, 8.2}, {8.8, 8, 8.2}})));
   add_candidate(kC, static_cast<int>(views_[1].segments.size()) - 1, 0.85);
@@ -159,7 +159,7 @@ TEST_F(FigureThree, TwoCandidatesOfOneLookAreAmbiguousButByPaper) {
 }
 
 TEST_F(FigureThree, ARightSegmentServesOneLeftEdge) {
-  // a second left line beside C whose only candidate is C's mate
+  // a second left line beside C whose only candidate is C's counterpart
   views_[0].segments.push_back(test::edge(project(pair_.left, Segment3{{3.3, 0, 8}, {8.3, 8, 8}})));
   add_candidate(6, kC, 0.8);
   const auto [acquired, outcomes] = process();

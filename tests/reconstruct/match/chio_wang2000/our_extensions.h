@@ -5,8 +5,8 @@
 
 namespace ridgeline::test {
 
-/// What goes beyond the paper, but the look of candidates as it is.
+/// What goes beyond the paper, but the appearance of candidates as it is.
 inline const reconstruct::ChioExtensions kOurExtensions{
-    {}, reconstruct::NoiseAllowance{}, reconstruct::ChoiceByLook{}};
+    {}, reconstruct::NoiseAllowance{}, reconstruct::ChoiceByAppearance{}};
 
 }  // namespace ridgeline::test

@@ -38,7 +38,7 @@ TEST(MatchPairwise, FindsTheOutlinesOfFlatRoofs) {
   for (const Correspondence& m : result.matches) EXPECT_EQ(m.base, m.other);
 }
 
-TEST(MatchPairwise, FindsAnIsolatedLineByItsLook) {
+TEST(MatchPairwise, FindsAnIsolatedLineByItsAppearance) {
   PaintedPair pair({kHigh});
   // only the border of the roof is there, no other segment in either image
   const double z = kHigh.height_m;
@@ -59,7 +59,7 @@ TEST(MatchPairwise, HasNoCandidateThatWouldBeSteeperThanARoof) {
   EXPECT_EQ(match(pair, flat).outcomes.at(0), MatchOutcome::kNoCandidate);
 }
 
-TEST(MatchPairwise, LeavesALineWithoutMateAloneAndSaysWhy) {
+TEST(MatchPairwise, LeavesALineWithoutCounterpartAloneAndSaysWhy) {
   PaintedPair pair = two_roofs();
   pair.add_segment(0, {{-2.0, 8.0, 0.0}, {-2.0, 12.0, 0.0}});  // only the left image shows it
   const MatchResult result = match(pair);
@@ -67,7 +67,7 @@ TEST(MatchPairwise, LeavesALineWithoutMateAloneAndSaysWhy) {
   EXPECT_EQ(result.outcomes.back(), MatchOutcome::kNoCandidate);
 }
 
-TEST(MatchPairwise, GivesFragmentsOfOneEdgeTheirCommonMate) {
+TEST(MatchPairwise, GivesFragmentsOfOneEdgeTheirCommonCounterpart) {
   PaintedPair pair({kHigh});
   const double z = kHigh.height_m;
   const Eigen::Vector3d south(kHigh.east, kHigh.south, z);
@@ -84,7 +84,7 @@ TEST(MatchPairwise, GivesFragmentsOfOneEdgeTheirCommonMate) {
 constexpr int kEast = 1;  // east side in the outline of the high roof
 
 /// The right image shows the east edge of the high roof in two parts, each over `share` of it.
-std::vector<int> mates_of_the_east_edge(double share) {
+std::vector<int> counterparts_of_the_east_edge(double share) {
   PaintedPair pair = two_roofs();
   const Segment3 edge{{kHigh.east, kHigh.south, kHigh.height_m},
                       {kHigh.east, kHigh.north, kHigh.height_m}};
@@ -93,24 +93,24 @@ std::vector<int> mates_of_the_east_edge(double share) {
   right[kEast] = right.back();
   right.pop_back();
   pair.add_segment(1, {edge.start, point_at(edge, share)});
-  std::vector<int> mates;
+  std::vector<int> counterparts;
   for (const Correspondence& m : match(pair).matches) {
-    if (m.base == kEast) mates.push_back(m.other);
+    if (m.base == kEast) counterparts.push_back(m.other);
   }
-  return mates;
+  return counterparts;
 }
 
-TEST(MatchPairwise, GivesALineAllFragmentsOfItsMate) {
-  EXPECT_THAT(mates_of_the_east_edge(0.45), testing::ElementsAre(kEast, 8));
+TEST(MatchPairwise, GivesALineAllFragmentsOfItsCounterpart) {
+  EXPECT_THAT(counterparts_of_the_east_edge(0.45), testing::ElementsAre(kEast, 8));
 }
 
 TEST(MatchPairwise, GivesALineOneOfTwoSegmentsThatLieSideBySide) {
-  EXPECT_EQ(mates_of_the_east_edge(0.7).size(), 1U);
+  EXPECT_EQ(counterparts_of_the_east_edge(0.7).size(), 1U);
 }
 
-TEST(MatchPairwise, NeverGivesOneMateToTwoEdges) {
+TEST(MatchPairwise, NeverGivesOneCounterpartToTwoEdges) {
   PaintedPair pair = two_roofs();
-  // a second left line beside the east edge of the high roof, on the ground: it has no mate
+  // a second left line beside the east edge of the high roof, on the ground: it has no counterpart
   pair.add_segment(0, {{-2.0, -4.0, 0.0}, {-2.0, 3.0, 0.0}});
   const MatchResult result = match(pair);
   ASSERT_EQ(result.matches.size(), 8U);

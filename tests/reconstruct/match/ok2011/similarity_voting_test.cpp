@@ -59,7 +59,7 @@ TEST_F(SimilarityVotes, PreferTheCandidateThatLooksBetter) {
   EXPECT_EQ(supports[0][0].votes, 0.0);
 }
 
-TEST_F(SimilarityVotes, LetAPairDecideBetweenEqualLooks) {
+TEST_F(SimilarityVotes, LetAPairDecideBetweenEqualAppearances) {
   add_left(kFirst);
   add_left(kFar);
   for (int i = 0; i < 3; ++i) add_right({{500.0 * i, 0.0}, {500.0 * i, 40.0}});
@@ -108,7 +108,7 @@ TEST_F(SimilarityVotes, TakeHeightsForTheSameThatTheParallaxHardlyTellsApart) {
   EXPECT_GT(vote()[0][0].height, 0.5);
 }
 
-TEST_F(SimilarityVotes, LetTwoEdgesCompeteForOneMateButNotTwoFragments) {
+TEST_F(SimilarityVotes, LetTwoEdgesCompeteForOneCounterpartButNotTwoFragments) {
   add_left(kFirst);
   add_left(kFar);  // another edge
   add_right({{0, 0}, {0, 100}});
@@ -127,20 +127,21 @@ EpipolarOverlap overlap_on_left(double from, double to) {
   return overlap;
 }
 
-TEST(MayBeMatesOfOne, TakesFragmentsWithPartsOfTheirOwn) {
+TEST(MayBeCounterpartsOfOne, TakesFragmentsWithPartsOfTheirOwn) {
   const Segment2 a{{0, 0}, {40, 0}};
   const Segment2 b{{50, 0}, {90, 0}};
   const EpipolarOverlap first = overlap_on_left(0.0, 0.45);
-  EXPECT_TRUE(may_be_mates_of_one({a, first}, {b, overlap_on_left(0.55, 1.0)}));
-  EXPECT_FALSE(may_be_mates_of_one({a, first}, {b, overlap_on_left(0.2, 0.6)}));
-  EXPECT_FALSE(may_be_mates_of_one({a, first}, {{{50, 9}, {90, 9}}, overlap_on_left(0.55, 1.0)}));
+  EXPECT_TRUE(may_be_counterparts_of_one({a, first}, {b, overlap_on_left(0.55, 1.0)}));
+  EXPECT_FALSE(may_be_counterparts_of_one({a, first}, {b, overlap_on_left(0.2, 0.6)}));
+  EXPECT_FALSE(
+      may_be_counterparts_of_one({a, first}, {{{50, 9}, {90, 9}}, overlap_on_left(0.55, 1.0)}));
 }
 
-TEST(MayBeMatesOfOne, TakesNoneAlongTheEpipolarLineWhereTheirPartsAreAGuess) {
+TEST(MayBeCounterpartsOfOne, TakesNoneAlongTheEpipolarLineWhereTheirPartsAreAGuess) {
   EpipolarOverlap first = overlap_on_left(0.0, 0.45);
   first.aligned = true;
-  EXPECT_FALSE(may_be_mates_of_one({{{0, 0}, {40, 0}}, first},
-                                   {{{50, 0}, {90, 0}}, overlap_on_left(0.55, 1.0)}));
+  EXPECT_FALSE(may_be_counterparts_of_one({{{0, 0}, {40, 0}}, first},
+                                          {{{50, 0}, {90, 0}}, overlap_on_left(0.55, 1.0)}));
 }
 
 TEST(AreFragments, TakesCollinearSegmentsOnly) {
@@ -190,14 +191,14 @@ TEST_F(SimilarityVotes, FinalChoiceTellsWeakFromAmbiguousCandidates) {
 }
 
 TEST_F(SimilarityVotes, FinalChoiceAsksMoreOfTheShortestSegments) {
-  const auto with_short_mate = [](double length_px) {
+  const auto with_short_counterpart = [](double length_px) {
     return Segment2{{500.0 * length_px, 0.0}, {500.0 * length_px, length_px}};
   };
   const std::array<double, 3> lengths_px{11.0, 13.0, 11.5};
   Supports supports(lengths_px.size(), std::vector<Support>(1));
   for (std::size_t i = 0; i < lengths_px.size(); ++i) {
     add_left({{500.0 * lengths_px[i], 0.0}, {500.0 * lengths_px[i], 40.0}});
-    add_right(with_short_mate(lengths_px[i]));
+    add_right(with_short_counterpart(lengths_px[i]));
     add_candidate(static_cast<int>(i), static_cast<int>(i), 0.9);
     supports[i][0].votes = 1.0;
     supports[i][0].n_pairs = 1;
@@ -278,7 +279,7 @@ TEST_F(SimilarityVotes, FinalChoiceDropsALineThatItsMatchedPartnersDoNotVoteFor)
   const MatchResult result = final_choice({left_, right_, candidates_}, supports, pairs, {});
   EXPECT_EQ(result.matches.size(), 2U);
   EXPECT_EQ(result.outcomes[0], MatchOutcome::kNoPair);
-  // without partners the look of the line decides, and it has to be better
+  // without partners the appearance of the line decides, and it has to be better
   EXPECT_EQ(final_choice({left_, right_, candidates_}, supports, {}, {}).matches.size(), 2U);
   supports[0][0].probability = 0.99;
   EXPECT_EQ(final_choice({left_, right_, candidates_}, supports, {}, {}).matches.size(), 3U);

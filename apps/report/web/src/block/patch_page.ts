@@ -112,7 +112,7 @@ export class PatchPage {
       ['images', report.images.join(', ')],
       ['heights searched', `${fixed(report.height_range_m[0], 1)} – ${fixed(report.height_range_m[1], 1)} m`],
       ['corner', `${report.origin_m[0]}, ${report.origin_m[1]} m (${report.crs})`],
-      ['estimated', `${fixed(report.foreseen_s, 0)} s of CPU time, ${fixed(report.foreseen_mib, 0)} MiB`],
+      ['estimated', `${fixed(report.estimated_s, 0)} s of CPU time, ${fixed(report.estimated_mib, 0)} MiB`],
       ['LIDAR', report.points ? `${report.points.n_shown.toLocaleString('en')} points shown, grey from ${report.points.low_m} to ${report.points.high_m} m` : 'not shown'],
     ];
     return h('dl', { id: 'facts' }, ...rows.flatMap(([name, value]) => (value ? [h('dt', {}, name), h('dd', {}, value)] : [])));

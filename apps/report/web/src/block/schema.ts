@@ -96,8 +96,8 @@ export interface PatchReport {
   area: Box;
   height_range_m: [number, number];
   images: string[];
-  foreseen_s: number;
-  foreseen_mib: number;
+  estimated_s: number;
+  estimated_mib: number;
   reason: string;
   neighbours: Partial<Record<'north' | 'east' | 'south' | 'west', string>>;
   table2: Table2Row[];

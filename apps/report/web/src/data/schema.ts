@@ -73,10 +73,10 @@ export interface TrackCell {
   edges: number;
   edges_found: number;
   edge_recall: number | null;
-  sighting_recall: number | null;
+  observation_recall: number | null;
   right: number;
   wrong: number;
-  sighting_precision: number | null;
+  observation_precision: number | null;
 }
 
 export interface PatchTracks {
@@ -153,7 +153,7 @@ export interface LinePlane {
 }
 
 /** Image, number of the segment in it, ends as the line was made from them. */
-export type SightingOfLine = [view: number, segment: number | null, px: ImageSegment | null];
+export type LineObservation = [view: number, segment: number | null, px: ImageSegment | null];
 
 /** apps/report/line_views.h says what the words mean. */
 export type ViewState = 'agrees' | 'differs' | 'sighted' | 'missing' | 'hidden' | 'border' | 'not_used';
@@ -191,7 +191,7 @@ export interface Line {
   seen_start?: Triple;
   seen_end?: Triple;
   /** Its image segments; the first two are of the pair that it was found in. */
-  sightings?: SightingOfLine[];
+  observations?: LineObservation[];
   /** With three images and more, what each image shows of it; null for an image that it does not
    * lie in. */
   views?: (LineInView | null)[];

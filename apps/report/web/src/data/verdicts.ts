@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The verdicts on buildings, the worst first, with the looks that the map has, and a sentence on
+// The verdicts on buildings, the worst first, as the map shows them, and a sentence on
 // each.
 import { metres } from '../ui/format';
 import { okabeIto } from './colours';

@@ -46,8 +46,8 @@ function trackTable(tracks: readonly PatchTracks[]): HTMLElement {
       { title: 'edges', number: true, cell: (r) => String(r.cell.edges) },
       { title: 'found', number: true, cell: (r) => String(r.cell.edges_found) },
       share('edge recall %', (c) => c.edge_recall),
-      share('sighting recall %', (c) => c.sighting_recall),
-      share('sighting precision %', (c) => c.sighting_precision),
+      share('observation recall %', (c) => c.observation_recall),
+      share('observation precision %', (c) => c.observation_precision),
     ], rows, { id: 'table1-tracks' }),
     h('p', { class: 'caption' }, 'Images: number of images that show the edge. An edge is found if one track lies on it in two images. An edge without segments is missed.'));
 }

@@ -87,7 +87,7 @@ export class PatchImages {
 
   /** The line's segments in an image: the extracted ones, else those that its file states. */
   segmentsOfLine(view: number, line: Line): ImageSegment[] {
-    return (line.sightings ?? []).filter((s) => s[0] === view)
+    return (line.observations ?? []).filter((s) => s[0] === view)
       .map(([, index, px]) => (index === null ? null : this.segment(view, index)) ?? this.inPicture(view, px)).filter((s) => s !== null);
   }
   /** A segment of ideal pixels as the picture shows its ends. */
@@ -98,7 +98,7 @@ export class PatchImages {
 
   /** The images that show a line, the first of its segments first. */
   viewsOfLine(line: Line): number[] {
-    return [...new Set((line.sightings ?? []).map((s) => s[0]))].filter((view) => this.segmentsOfLine(view, line).length > 0);
+    return [...new Set((line.observations ?? []).map((s) => s[0]))].filter((view) => this.segmentsOfLine(view, line).length > 0);
   }
 
   /** The segment whose epipolar lines an image shows of a line: its first one, or in that one's

@@ -279,7 +279,10 @@ using Stretch = std::array<double, 2>;
 
 /// Adds a rising line whose left segment is longer than the right one. The middle of the right one
 /// has a given height. The line is not connected and meets nothing.
-void add_line_with_short_mate(LineGroup& group, Stretch left, Stretch right, double height_m) {
+void add_line_with_short_counterpart(LineGroup& group,
+                                     Stretch left,
+                                     Stretch right,
+                                     double height_m) {
   constexpr double kRiseM = 0.005;  // per pixel
   const Eigen::Vector2d across =
       Eigen::Rotation2Dd(90.0 * kDegree) * kScene.epipolar_direction(kScene.left_centre());
@@ -300,10 +303,10 @@ void add_line_with_short_mate(LineGroup& group, Stretch left, Stretch right, dou
   group.matches.push_back({i, i});
 }
 
-/// Heights of both ends of the first line, beside a line with a short mate at a height.
+/// Heights of both ends of the first line, beside a line with a short counterpart at a height.
 std::array<double, 2> heights_beside(Stretch left, Stretch right, double height_m) {
   LineGroup group = with_ends_that_disagree(3.0);
-  add_line_with_short_mate(group, left, right, height_m);
+  add_line_with_short_counterpart(group, left, right, height_m);
   EstimationOptions options;
   options.consensus.min_depth_margin = 0.0;  // a weak reason alone
   const std::vector<ReconstructedLine> lines = group.reconstruct(options);
@@ -313,8 +316,8 @@ std::array<double, 2> heights_beside(Stretch left, Stretch right, double height_
 }
 
 TEST(DepthConsensus, HeightsNearbyAreThoseOfEndsThatBothImagesShow) {
-  // within 100 px is near: both ends of the left segment are farther off, those of its mate are
-  // near
+  // within 100 px is near: both ends of the left segment are farther off, those of its counterpart
+  // are near
   const Stretch whole{-120.0, 200.0};
   for (const double height_m : {kHeightM, 3.0}) {
     EXPECT_THAT(heights_beside(whole, {25.0, 55.0}, height_m),
@@ -323,7 +326,8 @@ TEST(DepthConsensus, HeightsNearbyAreThoseOfEndsThatBothImagesShow) {
 }
 
 TEST(DepthConsensus, HeightsNearbyAreNotThoseOfWhatIsFarAway) {
-  // an end of the left segment is near, but the end of its mate, whose height is known, is not
+  // an end of the left segment is near, but the end of its counterpart, whose height is known, is
+  // not
   const Stretch whole{40.0, 360.0};
   EXPECT_EQ(heights_beside(whole, {200.0, 230.0}, kHeightM)[0] > 4.5,
             heights_beside(whole, {200.0, 230.0}, 3.0)[0] > 4.5);

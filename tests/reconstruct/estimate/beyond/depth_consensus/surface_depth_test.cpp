@@ -81,7 +81,7 @@ TEST(SurfaceDepth, SwitchedOffSaysNothing) {
   EXPECT_STRNE(status_name(reconstructed(group, &surface, without)), "surface");
 }
 
-TEST(SurfaceDepth, GivesTheDepthOfAnEaveWhoseMateRunsOn) {
+TEST(SurfaceDepth, GivesTheDepthOfAnEaveWhoseCounterpartRunsOn) {
   test::LineGroup group = group_of(6.0, {});
   Segment2& right = group.segments[1][0].segment;
   right.end = point_at(right, 1.5);

@@ -62,21 +62,21 @@ class GuidedMatchesTest : public testing::Test {
   const std::optional<Surface>& surface = bright_roof().surface;
 };
 
-TEST_F(GuidedMatchesTest, FindTheMateThatTheOtherViewLacks) {
+TEST_F(GuidedMatchesTest, FindTheCounterpartThatTheOtherViewLacks) {
   for (const std::size_t guide : {0U, 1U}) {
     pair.views[guide].segments = {seen(guide)};
     pair.views[1 - guide].segments.clear();
     const GuidedMatches guided = found();
     ASSERT_EQ(guided.matches.size(), 1U) << guide;
     EXPECT_EQ(guided.matches[0].segments(), (std::pair{0, 0}));
-    ASSERT_EQ(guided.mates[1 - guide].size(), 1U);
-    EXPECT_TRUE(guided.mates[guide].empty());
-    const EdgeSegment& mate = guided.mates[1 - guide][0];
-    EXPECT_TRUE(mate.guided);
+    ASSERT_EQ(guided.counterparts[1 - guide].size(), 1U);
+    EXPECT_TRUE(guided.counterparts[guide].empty());
+    const EdgeSegment& counterpart = guided.counterparts[1 - guide][0];
+    EXPECT_TRUE(counterpart.guided);
     const Segment2 truth = seen(1 - guide).line.segment;
-    EXPECT_LT(distance(truth, mate.line.segment.start), kStep_px);
-    EXPECT_LT(distance(truth, mate.line.segment.end), kStep_px);
-    EXPECT_GT(length(mate.line.segment), 0.75 * length(truth));
+    EXPECT_LT(distance(truth, counterpart.line.segment.start), kStep_px);
+    EXPECT_LT(distance(truth, counterpart.line.segment.end), kStep_px);
+    EXPECT_GT(length(counterpart.line.segment), 0.75 * length(truth));
   }
 }
 
@@ -92,7 +92,7 @@ TEST_F(GuidedMatchesTest, AreNotWhereASegmentIsAlready) {
   EXPECT_TRUE(found().matches.empty());
 }
 
-TEST_F(GuidedMatchesTest, CountTheirMatesAfterThePairsSegments) {
+TEST_F(GuidedMatchesTest, CountTheirCounterpartsAfterThePairsSegments) {
   pair.views[0].segments = {seen(0)};
   pair.views[1].segments = {seen(1, 30.0)};
   const GuidedMatches guided = found();

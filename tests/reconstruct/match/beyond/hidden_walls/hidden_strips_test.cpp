@@ -40,7 +40,7 @@ Candidates compared(const PaintedPair& pair, Candidates candidates) {
   return candidates;
 }
 
-const Candidate& with_mate(const std::vector<Candidate>& candidates, int right) {
+const Candidate& with_counterpart(const std::vector<Candidate>& candidates, int right) {
   const auto found = std::find_if(candidates.begin(), candidates.end(),
                                   [&](const Candidate& c) { return c.right == right; });
   if (found == candidates.end()) throw std::logic_error("no such candidate");
@@ -55,7 +55,7 @@ TEST(CompareAcrossHiddenStrips, TheFootOfAWallIsNotTheUpperEdgeThatTheOtherCamer
   ASSERT_EQ(after.at(0).size(), 1U);
   EXPECT_EQ(after[0][0].right, kUpper);
   // beyond the strip lies the ground that the left image shows beside the wall
-  EXPECT_GT(after[0][0].similarity, with_mate(before[0], kUpper).similarity);
+  EXPECT_GT(after[0][0].similarity, with_counterpart(before[0], kUpper).similarity);
   EXPECT_GT(after[0][0].measures.values[LineMeasures::kContrast], 0.9);  // nearly the same step
 }
 
@@ -83,7 +83,7 @@ TEST(CompareAcrossHiddenStrips, TheFootStaysWhereTheUpperEdgeLooksQuiteDifferent
   const PaintedPair pair = wall_that_the_right_camera_faces();
   Candidates candidates = candidates_of(pair);
   for (Candidate& c : candidates.at(0)) {
-    c.look.sides.fill(SideLook{.ncc = -1.0, .colour_difference = 1.0});
+    c.appearance.sides.fill(SideAppearance{.ncc = -1.0, .colour_difference = 1.0});
     c.similarity = c.right == kFoot ? 1.0 : 0.0;
   }
   EXPECT_EQ(compared(pair, candidates).at(0).size(), 2U);

@@ -26,8 +26,8 @@ class SidePastAWall : public ::testing::TestWithParam<bool> {
     overlap_ =
         *epipolar_overlap(*searched_segment(search, left), pair_.views[1].segments[0].line.segment);
     transfer_ = local_transfer(search.right_from_left, midpoint(left), kEaves_m);
-    look_ = edge_look(images(), edges(), transfer_);
-    worse_ = look_.sides[0]->agreement() < look_.sides[1]->agreement() ? 0 : 1;
+    appearance_ = edge_appearance(images(), edges(), transfer_);
+    worse_ = appearance_.sides[0]->agreement() < appearance_.sides[1]->agreement() ? 0 : 1;
   }
 
   [[nodiscard]] ImagePair images() const {
@@ -38,22 +38,22 @@ class SidePastAWall : public ::testing::TestWithParam<bool> {
     return {pair_.views[0].segments[0], pair_.views[1].segments[0], overlap_};
   }
 
-  [[nodiscard]] EdgeLook past_wall(double most_drop_m) const {
-    EdgeLook look = look_;
-    look_past_wall(images(), edges(), transfer_, most_drop_m, look);
-    return look;
+  [[nodiscard]] EdgeAppearance past_wall(double most_drop_m) const {
+    EdgeAppearance appearance = appearance_;
+    appearance_past_wall(images(), edges(), transfer_, most_drop_m, appearance);
+    return appearance;
   }
 
   test::PaintedPair pair_;
   EpipolarOverlap overlap_;
   LocalTransfer transfer_;
-  EdgeLook look_;
+  EdgeAppearance appearance_;
   int worse_ = 0;
 };
 
 TEST_P(SidePastAWall, IsTheGroundThatTheOtherCameraSeesBesideTheEdge) {
-  ASSERT_LT(look_.sides[worse_]->agreement(), 0.8);  // the wall is compared with ground
-  const EdgeLook past = past_wall(kEaves_m + 5.0);
+  ASSERT_LT(appearance_.sides[worse_]->agreement(), 0.8);  // the wall is compared with ground
+  const EdgeAppearance past = past_wall(kEaves_m + 5.0);
   // both show the same texture; the choice of a height costs some of the agreement
   EXPECT_GT(past.sides[worse_]->ncc, 0.5);
   EXPECT_GT(past.sides[worse_]->colour_agreement(), 0.5);
@@ -61,7 +61,7 @@ TEST_P(SidePastAWall, IsTheGroundThatTheOtherCameraSeesBesideTheEdge) {
 }
 
 TEST_P(SidePastAWall, IsNotLookedForBelowTheRangeOfHeights) {
-  const EdgeLook past = past_wall(kEaves_m - 4.0);
+  const EdgeAppearance past = past_wall(kEaves_m - 4.0);
   EXPECT_LT(past.sides[worse_]->ncc, 0.5);
 }
 
@@ -71,16 +71,16 @@ TEST_P(SidePastAWall, IsNotOneWithoutRoomForAWall) {
 }
 
 TEST_P(SidePastAWall, LeavesTheSideOfTheRoofAsItIs) {
-  const EdgeLook past = past_wall(kEaves_m + 5.0);
-  EXPECT_EQ(past.sides[1 - worse_]->ncc, look_.sides[1 - worse_]->ncc);
+  const EdgeAppearance past = past_wall(kEaves_m + 5.0);
+  EXPECT_EQ(past.sides[1 - worse_]->ncc, appearance_.sides[1 - worse_]->ncc);
   EXPECT_FALSE(past.is_past_wall[1 - worse_]);
-  EXPECT_EQ(past.profile_ncc, look_.profile_ncc);
+  EXPECT_EQ(past.profile_ncc, appearance_.profile_ncc);
 }
 
 TEST_P(SidePastAWall, IsNotAskedForWhereItAgreesAnyway) {
-  look_.sides[worse_]->ncc = 0.5;
-  look_.sides[worse_]->colour_difference = 0.03;  // agreement of 0.55
-  const EdgeLook past = past_wall(kEaves_m + 5.0);
+  appearance_.sides[worse_]->ncc = 0.5;
+  appearance_.sides[worse_]->colour_difference = 0.03;  // agreement of 0.55
+  const EdgeAppearance past = past_wall(kEaves_m + 5.0);
   EXPECT_EQ(past.sides[worse_]->ncc, 0.5);
   EXPECT_FALSE(past.is_past_wall[worse_]);
 }

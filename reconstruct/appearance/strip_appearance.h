@@ -33,7 +33,7 @@ struct ImagePair {
 };
 
 /// How similar the strips along one side of a line are in the two images.
-struct SideLook {
+struct SideAppearance {
   double ncc = 0.0;  ///< -1..1, all bands together, damped if there is no texture
   /// Difference of the mean colours, root mean square over the bands.
   double colour_difference = 0.0;
@@ -95,10 +95,10 @@ std::vector<Colour> mean_profile(const Strip& strip, const StripGrid& grid);
 
 /// Compares strips of one grid. Nothing if more than half of the samples lie outside of one of the
 /// images.
-std::optional<SideLook> compare(const Strip& left,
-                                const Strip& right,
-                                const Radiometry& radiometry,
-                                int n_bands);
+std::optional<SideAppearance> compare(const Strip& left,
+                                      const Strip& right,
+                                      const Radiometry& radiometry,
+                                      int n_bands);
 
 /// Sums of a normalised cross correlation of one band.
 struct BandSums {
@@ -118,7 +118,9 @@ double correlation(std::span<const BandSums> bands, int n_samples, double noise_
 double correlation(std::span<const Colour> a,
                    std::span<const Colour> b,
                    double noise_variance = 0.0);
-/// The look of a side with n > 0 samples.
-SideLook side_look(const std::array<BandSums, kMaxBands>& sums, int n_bands, int n_samples);
+/// The appearance of a side with n > 0 samples.
+SideAppearance side_appearance(const std::array<BandSums, kMaxBands>& sums,
+                               int n_bands,
+                               int n_samples);
 
 }  // namespace ridgeline::reconstruct

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reconstruct/appearance/edge_look.h"
+#include "reconstruct/appearance/edge_appearance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ std::optional<double> profile_ncc(const ImagePair& images, const StripFrame& fra
       sums[band].add(left[k][band], mapped[band]);
     }
   }
-  return side_look(sums, images.left.n_bands(), static_cast<int>(left.size())).ncc;
+  return side_appearance(sums, images.left.n_bands(), static_cast<int>(left.size())).ncc;
 }
 
 struct FlankMoments {
@@ -71,12 +71,12 @@ Radiometry relative_radiometry(std::span<const EdgeSegment> left,
   return radiometry;
 }
 
-EdgeLook edge_look(const ImagePair& images,
-                   const EdgePair& edges,
-                   const LocalTransfer& transfer,
-                   const StripGrid& grid) {
+EdgeAppearance edge_appearance(const ImagePair& images,
+                               const EdgePair& edges,
+                               const LocalTransfer& transfer,
+                               const StripGrid& grid) {
   StripFrame frame = strip_frame(edges, grid.most_along);
-  EdgeLook look;
+  EdgeAppearance appearance;
   for (const int side : {0, 1}) {
     const double sign = side == 0 ? -1.0 : 1.0;
     const Strip on_left = sample_strip(images.left, frame.on_left, sign * frame.side_in_left, grid);
@@ -89,17 +89,17 @@ EdgeLook edge_look(const ImagePair& images,
           transfer.jacobian * frame.side_in_left + height_per_px * transfer.per_height;
       const Strip on_right =
           sample_strip(images.right, frame.on_right, sign * frame.side_in_right, grid);
-      const std::optional<SideLook> found =
+      const std::optional<SideAppearance> found =
           compare(on_left, on_right, images.radiometry, images.left.n_bands());
-      std::optional<SideLook>& best = look.sides[side];
+      std::optional<SideAppearance>& best = appearance.sides[side];
       if (found && (!best || found->ncc > best->ncc)) best = found;
     }
   }
   if (grid.with_profile) {
     frame.side_in_right = transfer.jacobian * frame.side_in_left;
-    look.profile_ncc = profile_ncc(images, frame);
+    appearance.profile_ncc = profile_ncc(images, frame);
   }
-  return look;
+  return appearance;
 }
 
 }  // namespace ridgeline::reconstruct

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reconstruct/appearance/strip_look.h"
+#include "reconstruct/appearance/strip_appearance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ Eigen::Vector2d file_shift(const EdgeSegment& segment, double t) {
 
 }  // namespace
 
-double SideLook::colour_agreement() const {
+double SideAppearance::colour_agreement() const {
   constexpr double kScale = 0.05;  // in units of the range of grey values
   return std::exp(-colour_difference / kScale);
 }
@@ -47,7 +47,9 @@ double correlation(std::span<const Colour> a, std::span<const Colour> b, double 
   return correlation(sums, static_cast<int>(a.size()), noise_variance);
 }
 
-SideLook side_look(const std::array<BandSums, kMaxBands>& sums, int n_bands, int n_samples) {
+SideAppearance side_appearance(const std::array<BandSums, kMaxBands>& sums,
+                               int n_bands,
+                               int n_samples) {
   double squared_difference = 0.0;
   for (int band = 0; band < n_bands; ++band) {
     const double difference = (sums[band].a - sums[band].b) / n_samples;
@@ -110,10 +112,10 @@ std::vector<Colour> mean_profile(const Strip& strip, const StripGrid& grid) {
   return profile;
 }
 
-std::optional<SideLook> compare(const Strip& left,
-                                const Strip& right,
-                                const Radiometry& radiometry,
-                                int n_bands) {
+std::optional<SideAppearance> compare(const Strip& left,
+                                      const Strip& right,
+                                      const Radiometry& radiometry,
+                                      int n_bands) {
   std::array<BandSums, kMaxBands> sums{};
   std::size_t n_samples = 0;
   for (std::size_t i = 0; i < left.colours.size(); ++i) {
@@ -123,7 +125,7 @@ std::optional<SideLook> compare(const Strip& left,
     for (int band = 0; band < n_bands; ++band) sums[band].add(left.colours[i][band], mapped[band]);
   }
   if (2 * n_samples < left.colours.size()) return std::nullopt;
-  return side_look(sums, n_bands, static_cast<int>(n_samples));
+  return side_appearance(sums, n_bands, static_cast<int>(n_samples));
 }
 
 }  // namespace ridgeline::reconstruct

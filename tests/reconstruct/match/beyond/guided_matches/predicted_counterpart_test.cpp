@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reconstruct/match/beyond/guided_matches/mate_prediction.h"
-
+#include "reconstruct/match/beyond/guided_matches/counterpart_prediction.h"
 #include "tests/reconstruct/support/painted_roofs.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +35,7 @@ struct FlatRoof {
   Surface surface;
 };
 
-class MatePredictionTest : public testing::Test {
+class PredictedCounterpartTest : public testing::Test {
  protected:
   [[nodiscard]] Segment2 seen(const Segment3& line, std::size_t view) const {
     const ProjectionMatrix& camera = pair.views[view].image_from_local;
@@ -52,29 +51,29 @@ class MatePredictionTest : public testing::Test {
   const Surface& surface = roof().surface;
 };
 
-TEST_F(MatePredictionTest, IsWhereTheOtherViewShowsTheNearerSurface) {
+TEST_F(PredictedCounterpartTest, IsWhereTheOtherViewShowsTheNearerSurface) {
   constexpr double kLeft_px = 0.1;   // pixels beside the edge show some of the ground
   constexpr double kRight_px = 0.6;  // the surface of the right view lies on whole pixels
   for (const std::size_t from : {0U, 1U}) {
-    const auto mate = MatePrediction(surface, from).of(seen(kAcross, from));
-    ASSERT_TRUE(mate) << from;
+    const auto counterpart = PredictedCounterpart(surface, from).of(seen(kAcross, from));
+    ASSERT_TRUE(counterpart) << from;
     const Segment2 truth = seen(kAcross, 1 - from);
     const double most_px = from == 0 ? kLeft_px : kRight_px;
-    EXPECT_LT((mate->start - truth.start).norm(), most_px) << from;
-    EXPECT_LT((mate->end - truth.end).norm(), most_px) << from;
+    EXPECT_LT((counterpart->start - truth.start).norm(), most_px) << from;
+    EXPECT_LT((counterpart->end - truth.end).norm(), most_px) << from;
   }
 }
 
-TEST_F(MatePredictionTest, IsNoneAlongTheBase) {
-  EXPECT_FALSE(MatePrediction(surface, 0).of(seen(kAlong, 0)));
+TEST_F(PredictedCounterpartTest, IsNoneAlongTheBase) {
+  EXPECT_FALSE(PredictedCounterpart(surface, 0).of(seen(kAlong, 0)));
 }
 
-TEST_F(MatePredictionTest, IsNoneWhereNothingIsKnown) {
+TEST_F(PredictedCounterpartTest, IsNoneWhereNothingIsKnown) {
   Surface unknown = surface;
   unknown.disparity_px = cv::Mat(surface.disparity_px.size(), CV_32F,
                                  cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
-  EXPECT_FALSE(MatePrediction(unknown, 0).of(seen(kAcross, 0)));
-  EXPECT_FALSE(MatePrediction(unknown, 1).of(seen(kAcross, 1)));
+  EXPECT_FALSE(PredictedCounterpart(unknown, 0).of(seen(kAcross, 0)));
+  EXPECT_FALSE(PredictedCounterpart(unknown, 1).of(seen(kAcross, 1)));
 }
 
 }  // namespace

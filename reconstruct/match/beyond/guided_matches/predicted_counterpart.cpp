@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reconstruct/match/beyond/guided_matches/mate_prediction.h"
-
+#include "reconstruct/match/beyond/guided_matches/counterpart_prediction.h"
 #include "reconstruct/surface/side_planes.h"
 
 #include <Eigen/LU>
@@ -46,7 +45,7 @@ cv::Mat seen_from_right(const cv::Mat& disparity_px, double moved_px) {
 
 }  // namespace
 
-MatePrediction::MatePrediction(const Surface& surface, std::size_t from)
+PredictedCounterpart::PredictedCounterpart(const Surface& surface, std::size_t from)
     : surface_(surface),
       from_(from),
       ideal_from_rectified_(surface.rectification.rectified_from_ideal[1 - from].inverse()) {
@@ -55,7 +54,7 @@ MatePrediction::MatePrediction(const Surface& surface, std::size_t from)
   surface_.disparity_px = seen_from_right(surface.disparity_px, moved_px_);
 }
 
-std::optional<Segment2> MatePrediction::of(const Segment2& segment) const {
+std::optional<Segment2> PredictedCounterpart::of(const Segment2& segment) const {
   constexpr double kMinSine = 0.17;  // least sine of the angle to the rows
   const Eigen::Vector2d moved(moved_px_, 0.0);
   const Segment2 rectified{surface_.rectification.rectified(from_, segment.start) + moved,

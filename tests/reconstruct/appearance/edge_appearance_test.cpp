@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reconstruct/appearance/edge_look.h"
+#include "reconstruct/appearance/edge_appearance.h"
 
 #include "reconstruct/appearance/line_similarity.h"
 #include "tests/reconstruct/match/ok2011/painted_pair.h"
@@ -12,57 +12,60 @@ namespace {
 const test::PaintedPair::Roof kRoof{-6.0, -4.0, 2.0, 3.0, 9.0};
 
 /// The east edge of a roof: roof on one side, ground far below on the other.
-class EdgeLookOfARoof : public ::testing::Test {
+class EdgeAppearanceOfARoof : public ::testing::Test {
  protected:
-  EdgeLookOfARoof() : pair_({kRoof}) {
+  EdgeAppearanceOfARoof() : pair_({kRoof}) {
     const double z = kRoof.height_m;
     pair_.add_line({{kRoof.east, kRoof.south, z}, {kRoof.east, kRoof.north, z}});
   }
 
   /// Compares the edge with a right segment.
-  [[nodiscard]] EdgeLook look_at(const EdgeSegment& right) const {
+  [[nodiscard]] EdgeAppearance look_at(const EdgeSegment& right) const {
     const StereoSearch search(pair_.views[0].image_from_local, pair_.views[1].image_from_local,
                               pair_.heights_m);
     const Segment2& left = pair_.views[0].segments[0].line.segment;
     const auto searched = searched_segment(search, left);
     const auto overlap = epipolar_overlap(*searched, right.line.segment);
-    return edge_look({ImageSampler(pair_.views[0].image), ImageSampler(pair_.views[1].image), {}},
-                     {pair_.views[0].segments[0], right, *overlap},
-                     local_transfer(search.right_from_left, midpoint(left), 10.0));
+    return edge_appearance(
+        {ImageSampler(pair_.views[0].image), ImageSampler(pair_.views[1].image), {}},
+        {pair_.views[0].segments[0], right, *overlap},
+        local_transfer(search.right_from_left, midpoint(left), 10.0));
   }
 
   test::PaintedPair pair_;
 };
 
-TEST_F(EdgeLookOfARoof, AgreesOnTheSideOfTheRoofAndNotOnTheGroundBelow) {
-  const EdgeLook look = look_at(pair_.views[1].segments[0]);
-  const double left = look.sides[0]->ncc;
-  const double right = look.sides[1]->ncc;
+TEST_F(EdgeAppearanceOfARoof, AgreesOnTheSideOfTheRoofAndNotOnTheGroundBelow) {
+  const EdgeAppearance appearance = look_at(pair_.views[1].segments[0]);
+  const double left = appearance.sides[0]->ncc;
+  const double right = appearance.sides[1]->ncc;
   EXPECT_GT(std::max(left, right), 0.8);  // the same texture, sampled twice
   EXPECT_LT(std::min(left, right), 0.6);  // 29 px of parallax away
-  EXPECT_LT(std::min(look.sides[0]->colour_difference, look.sides[1]->colour_difference), 0.02);
+  EXPECT_LT(
+      std::min(appearance.sides[0]->colour_difference, appearance.sides[1]->colour_difference),
+      0.02);
 }
 
-TEST_F(EdgeLookOfARoof, DisagreesWithALineElsewhereOnTheRoof) {
+TEST_F(EdgeAppearanceOfARoof, DisagreesWithALineElsewhereOnTheRoof) {
   EdgeSegment other = pair_.views[1].segments[0];
   for (Segment2* s : {&other.line.segment, &other.in_image}) {
     s->start.x() -= 30.0;
     s->end.x() -= 30.0;
   }
-  const EdgeLook look = look_at(other);
-  EXPECT_LT(std::max(look.sides[0]->ncc, look.sides[1]->ncc), 0.6);
+  const EdgeAppearance appearance = look_at(other);
+  EXPECT_LT(std::max(appearance.sides[0]->ncc, appearance.sides[1]->ncc), 0.6);
 }
 
-TEST_F(EdgeLookOfARoof, LeavesOutASideBeyondTheImage) {
+TEST_F(EdgeAppearanceOfARoof, LeavesOutASideBeyondTheImage) {
   EdgeSegment other = pair_.views[1].segments[0];
   const double at_border = other.in_image.start.x();
   for (Segment2* s : {&other.line.segment, &other.in_image}) {
     s->start.x() -= at_border;
     s->end.x() -= at_border;
   }
-  const EdgeLook look = look_at(other);
-  EXPECT_NE(look.sides[0].has_value(), look.sides[1].has_value());
-  EXPECT_FALSE(look.profile_ncc.has_value());
+  const EdgeAppearance appearance = look_at(other);
+  EXPECT_NE(appearance.sides[0].has_value(), appearance.sides[1].has_value());
+  EXPECT_FALSE(appearance.profile_ncc.has_value());
 }
 
 TEST(StripFrame, HasStepsOfTheSofterEdge) {

@@ -12,10 +12,10 @@
 namespace ridgeline::reconstruct {
 
 /// Tells where segments of one view are seen in the other one, if they bound a surface.
-class MatePrediction {
+class PredictedCounterpart {
  public:
   /// @param from  the view of the segments: 0 left, 1 right
-  MatePrediction(const Surface& surface, std::size_t from);
+  PredictedCounterpart(const Surface& surface, std::size_t from);
 
   /// The segment in the other view, in ideal pixels, in the direction of the given one. It lies on
   /// the nearer surface, which a line bounds. Nothing if that surface is not to be trusted, or
