@@ -19,6 +19,7 @@ std::vector<FileState> planned_inputs(const io::BlockFile& block);
 
 /// The key of a plan: of the cameras and poses of all frames, the area, the heights, or the files
 /// that they are taken from, and the sizes. Frames count by their paths; each task checks its own.
+/// `max_image_mpx`: of the tasks; 0: no limit.
 std::string key_of_plan(const io::BlockFile& block,
                         const std::vector<FileState>& inputs,
                         double max_image_mpx = 0.0);

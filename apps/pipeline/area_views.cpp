@@ -87,8 +87,8 @@ std::vector<io::PatchImage> best_images(const std::vector<io::PatchImage>& image
                                         std::size_t max_views,
                                         const SearchedPlace& place) {
   const Eigen::Vector3d origin_m = middle_of(place);
-  std::vector<reconstruct::CandidateView> candidates;
-  for (const io::PatchImage& image : images) candidates.push_back(candidate_of(image, origin_m));
+  const auto candidates = transformed(
+      images, [&](const io::PatchImage& image) { return candidate_of(image, origin_m); });
   std::vector<io::PatchImage> best;
   for (const std::size_t i :
        reconstruct::choose_views(candidates, points_in_local(place),

@@ -24,6 +24,7 @@ Texts ids_of(const std::vector<io::PatchImage>& images) {
   return transformed(images, &io::PatchImage::id);
 }
 
+/// The heights that the file states, else those of the area and a decision that names them.
 std::array<double, 2> decided_heights_m(const io::PatchFile& file, Texts& decisions) {
   if (file.height_range_m) return *file.height_range_m;
   const std::vector<double> heights_m = area_heights_m(file);
