@@ -2,7 +2,7 @@
 #include "apps/block/plan_block.h"
 
 #include "apps/block/block_heights.h"
-#include "apps/block/estimated.h"
+#include "apps/block/estimate.h"
 #include "apps/pipeline/area_views.h"
 #include "apps/pipeline/check_patch.h"
 #include "apps/pipeline/image_points.h"
@@ -113,7 +113,7 @@ std::optional<PlannedPatch> planned(const io::BlockFile& block,
     if (const auto window = window_of_area(place, image, size_px))
       plan.windows_mpx += 1e-6 * window->width * window->height;
   }
-  const Estimated estimated = estimate_of_patch(plan.windows_mpx);
+  const Estimate estimated = estimate_of_patch(plan.windows_mpx);
   plan.estimated_s = estimated.seconds;
   plan.estimated_mib = estimated.memory_mib;
   return plan;

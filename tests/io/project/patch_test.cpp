@@ -298,5 +298,15 @@ TEST(ReadPatch, ReadsTheVaihingenPatch) {
   EXPECT_TRUE(std::filesystem::exists(patch.lidar[0]));
 }
 
+TEST(ReadPatch, ReadsTheFilesOfEarlierVersions) {
+  const std::string folder = test::source_dir() + "/tests/compatibility/0.2/patches/";
+  for (const char* name : {"matrices.yaml", "frames.yaml", "orientation.yaml"}) {
+    const PatchFile patch = read_patch(folder + name);
+    ASSERT_EQ(patch.images.size(), 2U) << name;
+    for (const PatchImage& image : patch.images)
+      EXPECT_FALSE(image.image_from_world.isZero()) << name;
+  }
+}
+
 }  // namespace
 }  // namespace ridgeline::io

@@ -5,7 +5,7 @@
 #include "reconstruct/extract/ok2011/edge_segments.h"
 #include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/interruption.h"
-#include "reconstruct/match/beyond/guided_matches/counterpart_prediction.h"
+#include "reconstruct/match/beyond/guided_matches/predicted_counterpart.h"
 #include "reconstruct/match/beyond/guided_matches/step_along.h"
 
 #include <tbb/parallel_for.h>

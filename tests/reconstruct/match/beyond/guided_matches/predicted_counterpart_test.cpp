@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reconstruct/match/beyond/guided_matches/counterpart_prediction.h"
+#include "reconstruct/match/beyond/guided_matches/predicted_counterpart.h"
+
 #include "tests/reconstruct/support/painted_roofs.h"
 
 #include <gtest/gtest.h>
