@@ -53,17 +53,17 @@ const char* name(Kind kind) {
   return "unknown";
 }
 
-const char* name(Surface surface) {
+const char* name(JudgingSurface surface) {
   switch (surface) {
-    case Surface::kUpper:
+    case JudgingSurface::kUpper:
       return "upper";
-    case Surface::kLower:
+    case JudgingSurface::kLower:
       return "lower";
-    case Surface::kGround:
+    case JudgingSurface::kGround:
       return "ground";
-    case Surface::kRidge:
+    case JudgingSurface::kRidge:
       return "ridge";
-    case Surface::kObject:
+    case JudgingSurface::kObject:
       return "object";
   }
   return "unknown";

@@ -42,7 +42,7 @@ enum class Kind : std::uint8_t { kNone, kStep, kRidge };
 const char* name(Kind kind);  ///< "" | "step" | "ridge"
 
 /// The surface that a line is taken to be an edge of.
-enum class Surface : std::uint8_t {
+enum class JudgingSurface : std::uint8_t {
   kUpper,   ///< the highest one beside the line, or the only one
   kLower,   ///< one with a higher one beside the line
   kGround,  ///< a lower one that is the lowest around, a storey below the highest
@@ -50,7 +50,7 @@ enum class Surface : std::uint8_t {
   kObject,  ///< an object that the cloud has no plane for
 };
 inline constexpr int kNumSurfaces = 5;
-const char* name(Surface surface);  ///< "upper" | "lower" | "ground" | "ridge" | "object"
+const char* name(JudgingSurface surface);  ///< "upper" | "lower" | "ground" | "ridge" | "object"
 
 /// The evidence without which the decision about the surface would have been open.
 enum class DecidedBy : std::uint8_t {
@@ -155,7 +155,7 @@ struct LineEvaluation {
   Kind kind = Kind::kNone;
   /// What the line is most probably an edge of, and next to that; empty where no surface was looked
   /// for.
-  std::optional<Surface> surface, surface_other;
+  std::optional<JudgingSurface> surface, surface_other;
   std::optional<DecidedBy> decided_by;        ///< only of lines that are `evaluated`
   std::optional<double> surface_probability;  ///< of `surface`
   std::string reason;                         ///< one sentence for a status other than `evaluated`

@@ -79,9 +79,9 @@ std::size_t run_tasks(FramesBlock& block, std::size_t first, std::size_t last) {
 
 /// "120 tasks; estimated: 96 min of processor time in all, 900 MiB for the largest".
 std::string estimate_text(const FramesBlock& block) {
-  Estimate all;
+  TaskEstimate all;
   for (std::size_t i = 0; i < block.n_tasks(); ++i) {
-    const Estimate task = block.estimate_of_task(i);
+    const TaskEstimate task = block.estimate_of_task(i);
     all.seconds += task.seconds;
     all.memory_mib = std::max(all.memory_mib, task.memory_mib);
   }

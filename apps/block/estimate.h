@@ -7,14 +7,14 @@
 namespace ridgeline::apps {
 
 /// What a step is expected to need.
-struct Estimate {
+struct TaskEstimate {
   double seconds = 0.0;  ///< of processor time
   double memory_mib = 0.0;
 };
 
 /// A task that reconstructs, with one thread and the default options. Simulated villages took 1.4
 /// to 3.0 s and 25 to 33 MiB a megapixel. `windows_mpx`: of all images of the patch.
-constexpr Estimate estimate_of_patch(double windows_mpx) {
+constexpr TaskEstimate estimate_of_patch(double windows_mpx) {
   constexpr double kSecondsPerMpx = 2.0;
   constexpr double kMibPerMpx = 40.0;
   constexpr double kProgramMib = 120.0;
@@ -23,7 +23,7 @@ constexpr Estimate estimate_of_patch(double windows_mpx) {
 
 /// Judging takes most of it. `n_patches`: of the block, with a few hundred lines each.
 /// `lidar_bytes`: of all files of the cloud, which is read block by block.
-constexpr Estimate estimate_of_merge(std::size_t n_patches, std::uint64_t lidar_bytes) {
+constexpr TaskEstimate estimate_of_merge(std::size_t n_patches, std::uint64_t lidar_bytes) {
   constexpr double kSecondsPerPatch = 0.5;
   constexpr double kBytesPerSecond = 40e6;  // LAZ; LAS is read faster
   constexpr double kMibPerPatch = 8.0;

@@ -52,12 +52,12 @@ std::size_t FramesBlock::n_tasks() const { return plan_->patches.size(); }
 
 std::string FramesBlock::name_of(std::size_t i) const { return "patch " + plan_->patches.at(i).id; }
 
-Estimate FramesBlock::estimate_of_task(std::size_t i) const {
+TaskEstimate FramesBlock::estimate_of_task(std::size_t i) const {
   const PlannedPatch& patch = plan_->patches.at(i);
   return {patch.estimated_s, patch.estimated_mib};
 }
 
-Estimate FramesBlock::estimate_of_merge() const {
+TaskEstimate FramesBlock::estimate_of_merge() const {
   std::uint64_t lidar_bytes = 0;
   for (const FileState& file : plan_->inputs) {
     if (file.role == "cloud") lidar_bytes += file.bytes;

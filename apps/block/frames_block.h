@@ -32,9 +32,9 @@ class FramesBlock {
   [[nodiscard]] std::string name_of(std::size_t i) const;
 
   /// What a task is expected to need, 0 <= i < n_tasks().
-  [[nodiscard]] Estimate estimate_of_task(std::size_t i) const;
+  [[nodiscard]] TaskEstimate estimate_of_task(std::size_t i) const;
   /// What the merge is expected to need. There must be a plan.
-  [[nodiscard]] Estimate estimate_of_merge() const;
+  [[nodiscard]] TaskEstimate estimate_of_merge() const;
 
   /// Does a task unless its results are there. Throws IoError for a fault of its inputs, also if
   /// they have changed since the plan.

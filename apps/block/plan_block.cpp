@@ -113,7 +113,7 @@ std::optional<PlannedPatch> planned(const io::BlockFile& block,
     if (const auto window = window_of_area(place, image, size_px))
       plan.windows_mpx += 1e-6 * window->width * window->height;
   }
-  const Estimate estimated = estimate_of_patch(plan.windows_mpx);
+  const TaskEstimate estimated = estimate_of_patch(plan.windows_mpx);
   plan.estimated_s = estimated.seconds;
   plan.estimated_mib = estimated.memory_mib;
   return plan;

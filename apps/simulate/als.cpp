@@ -82,7 +82,7 @@ const AlsOptions& checked(const AlsOptions& o) {
 
 class AlsScanner::Impl {
  public:
-  Impl(const Scene& scene, const AlsOptions& options)
+  Impl(const SyntheticScene& scene, const AlsOptions& options)
       : scene_(scene), options_(checked(options)), plan_(scene, options), rays_(scene.mesh) {
     for (const Eigen::Vector3d& vertex : scene.mesh.vertices) {
       top_z_m_ = std::max(top_z_m_, vertex.z());
@@ -210,7 +210,7 @@ class AlsScanner::Impl {
                    .source_id = static_cast<std::uint16_t>(strip + 1)});
   }
 
-  const Scene& scene_;
+  const SyntheticScene& scene_;
   AlsOptions options_;
   FlightPlan plan_;
   RayScene rays_;
@@ -218,7 +218,7 @@ class AlsScanner::Impl {
   std::vector<Eigen::Vector3d> offsets_m_;  // systematic shift of each strip
 };
 
-AlsScanner::AlsScanner(const Scene& scene, const AlsOptions& options)
+AlsScanner::AlsScanner(const SyntheticScene& scene, const AlsOptions& options)
     : impl_(std::make_unique<Impl>(scene, options)) {}
 
 AlsScanner::~AlsScanner() = default;
@@ -229,7 +229,7 @@ io::PointCloud AlsScanner::scan(const Eigen::AlignedBox2d& window_m) const {
   return impl_->scan(window_m);
 }
 
-io::PointCloud scan_als(const Scene& scene, const AlsOptions& options) {
+io::PointCloud scan_als(const SyntheticScene& scene, const AlsOptions& options) {
   return AlsScanner(scene, options).scan({Eigen::Vector2d::Zero(), scene.extent_m});
 }
 

@@ -34,7 +34,7 @@ struct AlsOptions {
 class AlsScanner {
  public:
   /// Keeps a reference to the scene. Throws std::invalid_argument for an option outside its range.
-  AlsScanner(const Scene& scene, const AlsOptions& options);
+  AlsScanner(const SyntheticScene& scene, const AlsOptions& options);
   ~AlsScanner();
   AlsScanner(const AlsScanner&) = delete;
   AlsScanner& operator=(const AlsScanner&) = delete;
@@ -53,6 +53,6 @@ class AlsScanner {
 };
 
 /// One scan of the whole extent.
-io::PointCloud scan_als(const Scene& scene, const AlsOptions& options);
+io::PointCloud scan_als(const SyntheticScene& scene, const AlsOptions& options);
 
 }  // namespace ridgeline::simulate

@@ -47,7 +47,7 @@ Spectrum lawn_reflectance(const Eigen::Vector2f& x_m, float footprint_m, std::ui
 
 }  // namespace
 
-Appearance::Appearance(const Scene& scene, std::uint32_t seed, float texture)
+Appearance::Appearance(const SyntheticScene& scene, std::uint32_t seed, float texture)
     : scene_(&scene), seed_(seed), texture_(texture) {
   surfaces_.reserve(scene.mesh.triangles.size());
   for (const Triangle& triangle : scene.mesh.triangles) {

@@ -18,7 +18,7 @@ using Spectrum = Eigen::Array4f;
 class Appearance {
  public:
   /// Keeps a reference to the scene. `texture`: contrast of the textures, 0: flat colours.
-  Appearance(const Scene& scene, std::uint32_t seed, float texture);
+  Appearance(const SyntheticScene& scene, std::uint32_t seed, float texture);
 
   /// Reflectance at a point of a triangle of the mesh, for samples that are `footprint_m` apart.
   [[nodiscard]] Spectrum reflectance(int triangle,
@@ -51,7 +51,7 @@ class Appearance {
   [[nodiscard]] TriangleSurface surface_of(const Triangle& triangle, std::uint32_t index) const;
   void bend_leaves();
 
-  const Scene* scene_;
+  const SyntheticScene* scene_;
   std::uint32_t seed_;
   float texture_;
   std::vector<TriangleSurface> surfaces_;  ///< one per triangle

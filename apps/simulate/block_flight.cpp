@@ -99,7 +99,7 @@ void add_strips(const Strips& strips,
 }
 
 /// The lowest and the highest heights of a scene above the mean terrain.
-Eigen::AlignedBox1d heights_above_terrain_m(const Scene& scene) {
+Eigen::AlignedBox1d heights_above_terrain_m(const SyntheticScene& scene) {
   Eigen::AlignedBox1d heights_m(Eigen::Matrix<double, 1, 1>::Zero());
   for (const Eigen::Vector3d& x : scene.mesh.vertices) {
     heights_m.extend(Eigen::Matrix<double, 1, 1>(x.z() - scene.mean_terrain(x.head<2>())));
@@ -133,7 +133,7 @@ Eigen::Vector2d block_extent_m(const BlockOptions& block,
 
 std::vector<PlannedView> block_views(const BlockOptions& block,
                                      const FlightOptions& flight,
-                                     const Scene& scene) {
+                                     const SyntheticScene& scene) {
   // so that no frame of a strip along y stands where one of a strip along x does
   constexpr double kCrossShiftBases = 0.25;
   const StripPlan plan = plan_of(block, flight);
@@ -149,7 +149,7 @@ std::vector<PlannedView> block_views(const BlockOptions& block,
   return views;
 }
 
-void check_shown_twice(const Scene& scene,
+void check_shown_twice(const SyntheticScene& scene,
                        std::span<const AerialView> views,
                        const Eigen::AlignedBox2d& area_m) {
   constexpr double kStep_m = 5.0;

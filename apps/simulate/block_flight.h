@@ -51,11 +51,11 @@ Eigen::Vector2d block_extent_m(const BlockOptions& block,
 /// digits or more, both from 1.
 std::vector<PlannedView> block_views(const BlockOptions& block,
                                      const FlightOptions& flight,
-                                     const Scene& scene);
+                                     const SyntheticScene& scene);
 
 /// Throws std::invalid_argument unless each place of an area of the plan (local) is shown by two
 /// views or more, at the lowest and the highest heights that the scene has above the mean terrain.
-void check_shown_twice(const Scene& scene,
+void check_shown_twice(const SyntheticScene& scene,
                        std::span<const AerialView> views,
                        const Eigen::AlignedBox2d& area_m);
 

@@ -43,7 +43,7 @@ void set_seen(std::span<const AerialView> views, std::vector<double> shares, io:
 
 }  // namespace
 
-io::LineSet seen_in_block(const Scene& scene,
+io::LineSet seen_in_block(const SyntheticScene& scene,
                           std::span<const AerialView> views,
                           io::LineSet truth) {
   check(truth.lines.size() == scene.lines.size(), "seen_in_block: ", truth.lines.size(),

@@ -68,7 +68,7 @@ struct Wall {
 };
 
 /// The walls of all buildings by building, direction and distance.
-std::map<std::tuple<int, int, int, int>, Wall> walls_of(const Scene& scene) {
+std::map<std::tuple<int, int, int, int>, Wall> walls_of(const SyntheticScene& scene) {
   constexpr double kDirectionStep = 1e-3;
   constexpr double kDistanceStepM = 1e-2;
   std::map<std::tuple<int, int, int, int>, Wall> walls;
@@ -135,7 +135,7 @@ void add_windows(const Wall& wall, int building_id, Random& random, Mesh& mesh) 
 
 /// Whether a panel and some free space around it lie on one surface of the scene and nothing covers
 /// them.
-bool is_free(const RayScene& rays, const Scene& scene, const Panel& panel, int plane_id) {
+bool is_free(const RayScene& rays, const SyntheticScene& scene, const Panel& panel, int plane_id) {
   constexpr double kFreeM = 0.35;
   constexpr double kAboveM = 30.0;
   const Panel wide = shrunk(panel, -kFreeM);
@@ -164,7 +164,10 @@ Panel random_panel(const ScenePlane& plane, double half_u_m, double half_v_m, Ra
   return {{at.x(), at.y(), height_at(plane.plane, at)}, u, n.cross(u), half_u_m, half_v_m};
 }
 
-void add_skylights(const ScenePlane& plane, const RayScene& rays, Random& random, Scene& scene) {
+void add_skylights(const ScenePlane& plane,
+                   const RayScene& rays,
+                   Random& random,
+                   SyntheticScene& scene) {
   constexpr int kAttempts = 12;
   const double half_u_m = random.uniform(0.35, 0.55);
   const double half_v_m = random.uniform(0.5, 0.7);
@@ -184,7 +187,10 @@ void add_skylights(const ScenePlane& plane, const RayScene& rays, Random& random
 
 /// Adds modules of 1.0 m x 1.65 m side by side in one or two rows. Returns whether a free place was
 /// found.
-bool add_solar_array(const ScenePlane& plane, const RayScene& rays, Random& random, Scene& scene) {
+bool add_solar_array(const ScenePlane& plane,
+                     const RayScene& rays,
+                     Random& random,
+                     SyntheticScene& scene) {
   constexpr int kAttempts = 10;
   constexpr double kHalfModuleU = 0.5;
   constexpr double kHalfModuleV = 0.825;
@@ -211,7 +217,10 @@ bool add_solar_array(const ScenePlane& plane, const RayScene& rays, Random& rand
 
 /// Adds a paved rectangle on the lawn if its place is free. Its sides are parallel to the nearest
 /// house or at random.
-void add_paving(const ScenePlane& plane, const RayScene& rays, Random& random, Scene& scene) {
+void add_paving(const ScenePlane& plane,
+                const RayScene& rays,
+                Random& random,
+                SyntheticScene& scene) {
   const double height_m = random.uniform(0.01, 0.05);  // overlapping ones must differ in height
   const double half_u_m = random.uniform(1.0, 3.0);
   const double half_v_m = random.uniform(0.6, 2.0);
@@ -236,7 +245,7 @@ void add_paving(const ScenePlane& plane, const RayScene& rays, Random& random, S
 
 }  // namespace
 
-void add_fittings(Scene& scene, std::uint64_t seed) {
+void add_fittings(SyntheticScene& scene, std::uint64_t seed) {
   constexpr double kMaxCosine = 0.995;  // cosine; flatter roofs have neither skylights nor panels
   constexpr double kSolarChance = 0.15;
   constexpr double kPavingPerM2 = 0.006;

@@ -11,6 +11,6 @@ namespace ridgeline::simulate {
 /// know: windows on the walls, skylights and solar panels on the roofs, terraces and paths on the
 /// lawns. All of it lies within 0.12 m of the surface that bears it. The draws follow from the seed
 /// and are independent of all other draws.
-void add_fittings(Scene& scene, std::uint64_t seed);
+void add_fittings(SyntheticScene& scene, std::uint64_t seed);
 
 }  // namespace ridgeline::simulate

@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint64_t kFlightStream = 0x666c69676874;
 
 /// The pixels of the full frame, whose principal point is pixel (0, 0), that show the plan.
-Eigen::AlignedBox2d frame_window(const Scene& scene,
+Eigen::AlignedBox2d frame_window(const SyntheticScene& scene,
                                  const ProjectionMatrix& frame_from_world,
                                  double margin_m) {
   Eigen::AlignedBox2d window;
@@ -58,7 +58,7 @@ struct RenderedWindow {
 };
 
 /// Where a view is in fact, with the errors of the flight.
-ExteriorOrientation flown(const Scene& scene,
+ExteriorOrientation flown(const SyntheticScene& scene,
                           const FlightOptions& options,
                           const PlannedView& planned) {
   Random random({options.seed, kFlightStream, planned.number});
@@ -76,7 +76,7 @@ ExteriorOrientation flown(const Scene& scene,
 }
 
 /// The whole frame, or the part of it that shows the plan.
-RenderedWindow window_of(const Scene& scene,
+RenderedWindow window_of(const SyntheticScene& scene,
                          const FlightOptions& options,
                          const PlannedView& planned,
                          const ProjectionMatrix& frame_from_world) {
@@ -115,7 +115,7 @@ Eigen::AlignedBox2i pixels_of_mesh(const Mesh& mesh, const AerialView& view) {
 
 /// Rays near the horizon meet the ground nowhere or far beyond what a landscape can be taken to be
 /// plane for.
-void check_looks_down(const Scene& scene, const AerialView& view) {
+void check_looks_down(const SyntheticScene& scene, const AerialView& view) {
   constexpr double kMinSinking = 0.1;  // height over way: ten flying heights away
   const Eigen::Vector2d last_px = view.size_px.cast<double>() - Eigen::Vector2d::Ones();
   for (const double column : {0.0, last_px.x()}) {
@@ -130,7 +130,7 @@ void check_looks_down(const Scene& scene, const AerialView& view) {
   }
 }
 
-void check_shows_middle(const Scene& scene, const AerialView& view) {
+void check_shows_middle(const SyntheticScene& scene, const AerialView& view) {
   const Eigen::Vector2d middle = 0.5 * scene.extent_m;
   const Eigen::Vector2d x_px =
       project(view.image_from_local, {middle.x(), middle.y(), scene.mean_terrain(middle)});
@@ -142,7 +142,7 @@ void check_shows_middle(const Scene& scene, const AerialView& view) {
         "smaller base");
 }
 
-AerialView aerial_view(const Scene& scene,
+AerialView aerial_view(const SyntheticScene& scene,
                        const FlightOptions& options,
                        const PlannedView& planned) {
   InteriorOrientation interior;
@@ -173,7 +173,7 @@ AerialView aerial_view(const Scene& scene,
 
 }  // namespace
 
-std::vector<AerialView> aerial_views(const Scene& scene,
+std::vector<AerialView> aerial_views(const SyntheticScene& scene,
                                      const FlightOptions& options,
                                      std::span<const PlannedView> planned) {
   validate(options);
@@ -189,14 +189,14 @@ std::vector<AerialView> aerial_views(const Scene& scene,
   return views;
 }
 
-std::vector<AerialView> aerial_views(const Scene& scene, const FlightOptions& options) {
+std::vector<AerialView> aerial_views(const SyntheticScene& scene, const FlightOptions& options) {
   std::vector<AerialView> views = aerial_views(scene, options, planned_views(options));
   if (!options.frame_px) return views;
   for (const AerialView& view : views) check_shows_middle(scene, view);
   return views;
 }
 
-std::array<double, 2> height_range_m(const Scene& scene) {
+std::array<double, 2> height_range_m(const SyntheticScene& scene) {
   constexpr double kWidthM = 50.0;
   constexpr double kMinMarginM = 5.0;
   Eigen::AlignedBox1d heights;
@@ -208,7 +208,7 @@ std::array<double, 2> height_range_m(const Scene& scene) {
           std::ceil(scene.frame.origin_m.z() + low + height + margin_m)};
 }
 
-std::array<ProjectionMatrix, 2> nominal_pair(const Scene& scene) {
+std::array<ProjectionMatrix, 2> nominal_pair(const SyntheticScene& scene) {
   FlightOptions nominal;
   nominal.attitude_sigma_deg = 0.0;
   nominal.position_sigma_m = 0.0;

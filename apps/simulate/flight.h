@@ -47,20 +47,20 @@ struct AerialView {
 /// outside its range, for sizes of other than all views or beside frames, for images of more than
 /// 300 megapixels, where the plan reaches behind a tilted view, and for a frame that does not show
 /// the middle of the plan or looks at the horizon.
-std::vector<AerialView> aerial_views(const Scene& scene, const FlightOptions& options);
+std::vector<AerialView> aerial_views(const SyntheticScene& scene, const FlightOptions& options);
 
 /// The same of views that are planned in another way, as those of a block. Frames may show any part
 /// of the plan, or none.
-std::vector<AerialView> aerial_views(const Scene& scene,
+std::vector<AerialView> aerial_views(const SyntheticScene& scene,
                                      const FlightOptions& options,
                                      std::span<const PlannedView> planned);
 
 /// Two heights (world) between which the whole scene lies: whole metres, 50 m apart or more.
-std::array<double, 2> height_range_m(const Scene& scene);
+std::array<double, 2> height_range_m(const SyntheticScene& scene);
 
 /// Projection matrices of two exactly vertical frames with the defaults of FlightOptions: the
 /// geometry of Ok et al. 2011, section 4, without errors of the flight.
-std::array<ProjectionMatrix, 2> nominal_pair(const Scene& scene);
+std::array<ProjectionMatrix, 2> nominal_pair(const SyntheticScene& scene);
 
 /// Sets the epipolar angle of a line in two or more views and the class that follows from it:
 /// `aligned` up to 10 degrees, else `not_aligned`. The pair with the largest angle decides.

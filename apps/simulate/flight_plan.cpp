@@ -11,7 +11,7 @@ namespace ridgeline::simulate {
 namespace {
 
 /// Largest vertical distance of anything in the scene to the mean terrain.
-double relief_m(const Scene& scene) {
+double relief_m(const SyntheticScene& scene) {
   double relief = kMaxOutlierHeightM;
   for (const Eigen::Vector3d& x : scene.mesh.vertices) {
     relief = std::max(relief, std::abs(x.z() - scene.mean_terrain(x.head<2>())));
@@ -21,7 +21,7 @@ double relief_m(const Scene& scene) {
 
 /// How far in plan a return may lie from where its pulse aims: the beam leans by the scan angle,
 /// and the errors have their tails.
-double plan_margin_m(const Scene& scene, const AlsOptions& options) {
+double plan_margin_m(const SyntheticScene& scene, const AlsOptions& options) {
   constexpr double kTail = 7.0;  // standard deviations that no draw exceeds in practice
   const double noise_m =
       options.range_sigma_m + options.cross_sigma_m + options.strip_offset_sigma_m;
@@ -31,7 +31,7 @@ double plan_margin_m(const Scene& scene, const AlsOptions& options) {
 
 }  // namespace
 
-FlightPlan::FlightPlan(const Scene& scene, const AlsOptions& options)
+FlightPlan::FlightPlan(const SyntheticScene& scene, const AlsOptions& options)
     : local_from_flight_(
           Eigen::Rotation2Dd(kRadPerDeg * options.strip_azimuth_deg).toRotationMatrix()),
       centre_m_(0.5 * scene.extent_m),

@@ -22,7 +22,7 @@ struct Pulse {
 /// origin in the middle of the scene.
 class FlightPlan {
  public:
-  FlightPlan(const Scene& scene, const AlsOptions& options);
+  FlightPlan(const SyntheticScene& scene, const AlsOptions& options);
 
   [[nodiscard]] int num_strips() const { return num_strips_; }
   [[nodiscard]] int num_lines() const { return num_lines_; }  ///< scan lines of a strip

@@ -20,7 +20,7 @@ std::vector<Eigen::Vector3d> on(const PlanFunction& height, const ConvexPolygon&
 void add_wall_body(const ConvexPolygon& outline,
                    const PlanFunction& ground,
                    const PlanFunction& top,
-                   Scene& scene) {
+                   SyntheticScene& scene) {
   constexpr double kBelowGroundM = 0.5;
   const int plane_id = static_cast<int>(scene.planes.size());
   const int object_id = next_object_id(scene.mesh);
@@ -47,7 +47,7 @@ void add_garden_wall(const Terrain& terrain,
                      const Eigen::Vector2d& low_uv,
                      bool with_feet,
                      Random& random,
-                     Scene& scene) {
+                     SyntheticScene& scene) {
   constexpr double kHalfWidthM = 0.15;
   const double length_m = random.uniform(5.0, 15.0);
   const double begin_v = low_uv.y() + random.uniform(0.0, kLotSizeM - length_m);

@@ -16,6 +16,6 @@ void add_garden_wall(const Terrain& terrain,
                      const Eigen::Vector2d& low_uv,
                      bool with_feet,
                      Random& random,
-                     Scene& scene);
+                     SyntheticScene& scene);
 
 }  // namespace ridgeline::simulate

@@ -171,7 +171,7 @@ void add_additions(const VillageOptions& options,
 void add_parts(const VillageOptions& options,
                const std::vector<RoofPart>& parts,
                const GroundPlane& ground,
-               Scene& scene) {
+               SyntheticScene& scene) {
   const int first_plane_id = static_cast<int>(scene.planes.size());
   add_structure(parts, scene);
   if (!options.with_feet) return;
@@ -184,7 +184,7 @@ void add_single_house(const VillageOptions& options,
                       const Site& site,
                       Random& random,
                       Random& clutter,
-                      Scene& scene) {
+                      SyntheticScene& scene) {
   HouseShape shape = random_shape(options, site, random);
   shape.building_id = static_cast<int>(scene.buildings.size());
   std::vector<RoofPart> parts = random_parts(options, type, shape, random);
@@ -234,7 +234,10 @@ RoofPart row_part(HouseShape shape, const std::array<double, kRowLength>& height
 }
 
 /// Adds a row of adjoining gabled houses with steps in height.
-void add_row(const VillageOptions& options, const Site& site, Random& random, Scene& scene) {
+void add_row(const VillageOptions& options,
+             const Site& site,
+             Random& random,
+             SyntheticScene& scene) {
   HouseShape shape = random_shape(options, site, random);
   shape.width_m = random.uniform(7.5, 8.5);
   shape.length_m = random.uniform(4.8, 5.1);
@@ -257,7 +260,7 @@ void add_house(const VillageOptions& options,
                const Site& site,
                Random& random,
                Random& clutter,
-               Scene& scene) {
+               SyntheticScene& scene) {
   if (type == RoofType::kRow) {
     add_row(options, site, random, scene);
   } else {

@@ -29,6 +29,6 @@ void add_house(const VillageOptions& options,
                const Site& site,
                Random& random,
                Random& clutter,
-               Scene& scene);
+               SyntheticScene& scene);
 
 }  // namespace ridgeline::simulate

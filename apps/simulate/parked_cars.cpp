@@ -57,7 +57,7 @@ std::optional<Eigen::Vector2d> free_place(const CarSite& site,
 
 }  // namespace
 
-void add_parked_car(const Car& car, bool with_lines, Scene& scene) {
+void add_parked_car(const Car& car, bool with_lines, SyntheticScene& scene) {
   add_car(car, scene.mesh);
   if (!with_lines) return;
   for (const Segment3& edge : edges_of(car)) {
@@ -71,7 +71,7 @@ void park_cars(const CarSite& site,
                bool with_lines,
                std::vector<Eigen::Vector2d> taken,
                Random& random,
-               Scene& scene) {
+               SyntheticScene& scene) {
   const int count = static_cast<int>(std::floor(mean_count + random.uniform()));
   for (int i = 0; i < count; ++i) {
     const bool at_kerb = random.chance(0.5);

@@ -13,7 +13,7 @@
 namespace ridgeline::simulate {
 
 /// Adds a car and, `with_lines`, its upper edges as true lines.
-void add_parked_car(const Car& car, bool with_lines, Scene& scene);
+void add_parked_car(const Car& car, bool with_lines, SyntheticScene& scene);
 
 /// A lot with the street before it.
 struct CarSite {
@@ -32,6 +32,6 @@ void park_cars(const CarSite& site,
                bool with_lines,
                std::vector<Eigen::Vector2d> taken,
                Random& random,
-               Scene& scene);
+               SyntheticScene& scene);
 
 }  // namespace ridgeline::simulate

@@ -45,7 +45,7 @@ const char* kind_of(Material material) {
 /// The height of the ground below a plan position; nothing outside of the plan.
 class Ground {
  public:
-  explicit Ground(const Scene& scene) {
+  explicit Ground(const SyntheticScene& scene) {
     for (const ScenePlane& plane : scene.planes) {
       if (plane.kind != PlaneKind::kGround || plane.outline.empty()) continue;
       ConvexPolygon outline;
@@ -82,7 +82,7 @@ Segment3 raised_to_ground(Segment3 edge, const Ground& ground) {
 
 /// Adds the borders of the polygons: the sides that belong to one triangle alone, since polygons
 /// share no vertices.
-void add_mesh_edges(const Scene& scene, std::vector<PhysicalEdge>& edges) {
+void add_mesh_edges(const SyntheticScene& scene, std::vector<PhysicalEdge>& edges) {
   const Ground ground(scene);
   std::map<std::pair<int, int>, std::pair<Material, int>> sides;  // -> material, triangles
   for (const Triangle& triangle : scene.mesh.triangles) {
@@ -190,7 +190,7 @@ PhysicalEdge merged(const std::vector<const PhysicalEdge*>& members) {
 
 }  // namespace
 
-std::vector<PhysicalEdge> physical_edges(const Scene& scene) {
+std::vector<PhysicalEdge> physical_edges(const SyntheticScene& scene) {
   std::vector<PhysicalEdge> pieces;
   for (const SceneLine& line : scene.lines) pieces.push_back({line.segment, name(line.kind), 0});
   for (const SceneLine& joint : scene.joints) pieces.push_back({joint.segment, "joint", 1});

@@ -20,6 +20,6 @@ struct PhysicalEdge {
 /// walls and fences stand on the ground. Pieces that continue or overlap each other are merged, so
 /// that each edge has its full length once. Some edges cannot be seen, because they lie
 /// inside a body or between two tiles of one lawn. The order is fixed.
-std::vector<PhysicalEdge> physical_edges(const Scene& scene);
+std::vector<PhysicalEdge> physical_edges(const SyntheticScene& scene);
 
 }  // namespace ridgeline::simulate

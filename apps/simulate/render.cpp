@@ -40,7 +40,7 @@ Eigen::Vector3d sun_direction(const RenderOptions& options) {
           std::sin(elevation)};
 }
 
-Renderer::Renderer(const Scene& scene, const RenderOptions& options)
+Renderer::Renderer(const SyntheticScene& scene, const RenderOptions& options)
     : scene_(&scene),
       options_((validate(options), options)),
       rays_(scene.mesh),

@@ -45,7 +45,7 @@ Eigen::Vector3d sun_direction(const RenderOptions& options);
 class Renderer {
  public:
   /// Keeps a reference to the scene. Throws std::invalid_argument for an option outside its range.
-  Renderer(const Scene& scene, const RenderOptions& options);
+  Renderer(const SyntheticScene& scene, const RenderOptions& options);
 
   /// Radiance free of noise, CV_32FC4 (red, green, blue, near infrared), rows x columns of the
   /// view; 1: white under the sun at right angles. Pixel (0, 0) is the centre of the top-left
@@ -73,7 +73,7 @@ class Renderer {
   [[nodiscard]] Spectrum sun_light(const SurfacePoint& point,
                                    const Eigen::Vector3d& direction) const;
 
-  const Scene* scene_;
+  const SyntheticScene* scene_;
   RenderOptions options_;
   RayScene rays_;
   Appearance appearance_;

@@ -13,7 +13,7 @@ namespace {
 
 Eigen::Vector3d lift(const Eigen::Vector2d& x, double z) { return {x.x(), x.y(), z}; }
 
-void add_plane(const RoofPart& part, const PartFace& face, Scene& scene) {
+void add_plane(const RoofPart& part, const PartFace& face, SyntheticScene& scene) {
   ScenePlane plane{.id = face.plane_id,
                    .plane = plane_of(face.height),
                    .outline = {},
@@ -96,7 +96,7 @@ std::vector<PartFace> roof_faces(std::span<const RoofPart> parts, int first_plan
   return faces;
 }
 
-void add_structure(std::span<const RoofPart> parts, Scene& scene) {
+void add_structure(std::span<const RoofPart> parts, SyntheticScene& scene) {
   const std::vector<PartFace> faces = roof_faces(parts, static_cast<int>(scene.planes.size()));
   for (const PartFace& face : faces) {
     const RoofPart& part = parts[static_cast<std::size_t>(face.part)];

@@ -25,7 +25,7 @@ struct RoofPart {
 /// One plane of one part, restricted to where it is the lowest of its part.
 struct PartFace {
   int part = 0;
-  int plane_id = 0;  ///< index into Scene::planes
+  int plane_id = 0;  ///< index into SyntheticScene::planes
   PlanFunction height;
   LabelledPolygon cell;  ///< label >= 0: side of the outline; -1 - k: border to plane k of the part
   int top = 0;           ///< index into RoofPart::tops
@@ -36,6 +36,6 @@ std::vector<PartFace> roof_faces(std::span<const RoofPart> parts, int first_plan
 
 /// Adds planes, lines, joints, faces and triangles of parts that may touch each other, but no other
 /// part of the scene.
-void add_structure(std::span<const RoofPart> parts, Scene& scene);
+void add_structure(std::span<const RoofPart> parts, SyntheticScene& scene);
 
 }  // namespace ridgeline::simulate

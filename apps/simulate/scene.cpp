@@ -70,7 +70,7 @@ Eigen::Vector3d triangle_normal(const Mesh& mesh, int triangle) {
   return (b - a).cross(c - a).normalized();
 }
 
-io::LineSet true_lines(const Scene& scene) {
+io::LineSet true_lines(const SyntheticScene& scene) {
   io::LineSet set;
   set.format = "simulated";
   set.crs = scene.crs;
@@ -88,7 +88,7 @@ io::LineSet true_lines(const Scene& scene) {
   return set;
 }
 
-io::BuildingModel true_model(const Scene& scene) {
+io::BuildingModel true_model(const SyntheticScene& scene) {
   io::BuildingModel model;
   model.format = "simulated";
   model.crs = scene.crs;
@@ -112,7 +112,7 @@ io::BuildingModel true_model(const Scene& scene) {
   return model;
 }
 
-double true_mean_distance(const Scene& scene, const Segment3& segment, int line_id) {
+double true_mean_distance(const SyntheticScene& scene, const Segment3& segment, int line_id) {
   check(line_id >= 0 && line_id < static_cast<int>(scene.lines.size()),
         "true_mean_distance: line_id = ", line_id, ", must be the number of a true line");
   const std::vector<int>& planes = scene.lines[static_cast<std::size_t>(line_id)].plane_ids;

@@ -43,7 +43,8 @@ inline constexpr int kNone = -1;
 struct Triangle {
   std::array<std::int32_t, 3> vertices{};  ///< counter-clockwise seen from outside
   std::int32_t building_id = kNone;
-  std::int32_t plane_id = kNone;  ///< index into Scene::planes; kNone for walls, leaves, cars
+  std::int32_t plane_id =
+      kNone;  ///< index into SyntheticScene::planes; kNone for walls, leaves, cars
   Material material = Material::kGround;
   std::int32_t object_id = kNone;  ///< id of a tree, car or fence, which have no building id
 };
@@ -62,7 +63,7 @@ Eigen::Vector3d triangle_normal(const Mesh& mesh, int triangle);
 
 /// A planar face as built, before other bodies cover parts of it.
 struct ScenePlane {
-  int id = 0;                                   ///< index into Scene::planes
+  int id = 0;                                   ///< index into SyntheticScene::planes
   Plane3 plane{Eigen::Vector3d::UnitZ(), 0.0};  ///< local, normal upwards
   std::vector<Eigen::Vector3d> outline;         ///< convex, counter-clockwise from above
   int building_id = kNone;
@@ -109,7 +110,7 @@ inline constexpr int kNumRoofTypes = 9;
 const char* name(RoofType type);
 
 struct SceneBuilding {
-  int id = 0;  ///< index into Scene::buildings
+  int id = 0;  ///< index into SyntheticScene::buildings
   RoofType type = RoofType::kGabled;
   double ridge_azimuth_rad = 0.0;             ///< angle of the main ridge to the x axis, in [0, pi)
   double pitch_rad = 0.0;                     ///< pitch of the main roof
@@ -118,7 +119,7 @@ struct SceneBuilding {
 };
 
 /// A synthetic village with its exact truth. Everything is local; world = local + frame.origin_m.
-struct Scene {
+struct SyntheticScene {
   LocalFrame frame;
   io::Crs crs;
   Eigen::Vector2d extent_m = Eigen::Vector2d::Zero();  ///< the plan is [0, x] x [0, y]
@@ -133,17 +134,17 @@ struct Scene {
   std::vector<Face> faces;
 };
 
-/// The true lines in the CRS of the scene. Their id is the number in Scene::lines. They have no
-/// class, and no covariance because they are exact.
-io::LineSet true_lines(const Scene& scene);
+/// The true lines in the CRS of the scene. Their id is the number in SyntheticScene::lines. They
+/// have no class, and no covariance because they are exact.
+io::LineSet true_lines(const SyntheticScene& scene);
 
 /// The buildings in the CRS of the scene, with their faces and what was drawn for them. The
 /// building of true lines "7" is "building_7", as ids of CityGML begin with a letter.
-io::BuildingModel true_model(const Scene& scene);
+io::BuildingModel true_model(const SyntheticScene& scene);
 
 /// Mean over the planes of true line `line_id` of the mean |distance| of a segment (local) to them:
 /// what an error-free evaluation would report. Throws std::invalid_argument for an unknown line and
 /// one without planes.
-double true_mean_distance(const Scene& scene, const Segment3& segment, int line_id);
+double true_mean_distance(const SyntheticScene& scene, const Segment3& segment, int line_id);
 
 }  // namespace ridgeline::simulate

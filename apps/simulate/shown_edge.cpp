@@ -65,7 +65,7 @@ std::vector<VisibleRun> ShownEdge::in_view(std::size_t view) const {
   return result;
 }
 
-std::vector<ShownEdge> shown_edges(const Scene& scene, const SurfaceOracle& oracle) {
+std::vector<ShownEdge> shown_edges(const SyntheticScene& scene, const SurfaceOracle& oracle) {
   const std::vector<PhysicalEdge> edges = physical_edges(scene);
   std::vector<ShownEdge> result(edges.size());
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {

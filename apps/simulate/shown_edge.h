@@ -31,7 +31,7 @@ struct ShownEdge {
 
 /// All physical edges of a scene with all that the views see of them by the surfaces alone,
 /// whatever its contrast.
-std::vector<ShownEdge> shown_edges(const Scene& scene, const SurfaceOracle& oracle);
+std::vector<ShownEdge> shown_edges(const SyntheticScene& scene, const SurfaceOracle& oracle);
 
 /// Measures the contrast of all runs in a view. `village`: what its image shows of the
 /// village.

@@ -53,7 +53,7 @@ std::vector<ModelFile> model_files(const SimulateArguments& a) {
   return files;
 }
 
-void write_models(const simulate::Scene& scene,
+void write_models(const simulate::SyntheticScene& scene,
                   const SimulateArguments& a,
                   const results::OutputFolder& out) {
   if (a.models.empty()) return;
@@ -115,7 +115,7 @@ void complete(const CLI::App& app, SimulateArguments& a) {
 }
 
 /// The true lines with their class in the nominal pair.
-io::LineSet nominal_truth(const simulate::Scene& scene) {
+io::LineSet nominal_truth(const simulate::SyntheticScene& scene) {
   return simulate::classed_by_views(simulate::true_lines(scene), simulate::nominal_pair(scene));
 }
 
@@ -136,7 +136,7 @@ int simulate_patch(const SimulateArguments& a) {
   const results::OutputFolder out(a.out, {}, "simulate.json");
   const std::vector<std::string> names = file_names(a);
   for (const std::string& name : names) (void)out.path(name);
-  const simulate::Scene scene = simulate::make_village(a.village);
+  const simulate::SyntheticScene scene = simulate::make_village(a.village);
   if (!a.no_images) (void)simulate::aerial_views(scene, a.views.flight);  // throws before the work
   const io::PointCloud cloud = simulate::scan_als(scene, a.als);
 
@@ -155,7 +155,7 @@ int simulate_patch(const SimulateArguments& a) {
 
 int simulate_block(const SimulateArguments& a) {
   const results::OutputFolder out(a.out, {}, "simulate.json");
-  const simulate::Scene scene = simulate::make_village(a.village);
+  const simulate::SyntheticScene scene = simulate::make_village(a.village);
   const std::vector<simulate::AerialView> frames = block_frames(scene, a);
   check_degraded(a.views, transformed(frames, &simulate::AerialView::id));
   std::vector<std::string> names = block_file_names(scene, frames, a);

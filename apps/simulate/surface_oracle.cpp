@@ -21,7 +21,7 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-SurfaceOracle::SurfaceOracle(const Scene& scene, std::vector<AerialView> views)
+SurfaceOracle::SurfaceOracle(const SyntheticScene& scene, std::vector<AerialView> views)
     : scene_(&scene), views_(std::move(views)), rays_(scene.mesh) {}
 
 std::optional<SurfaceOracle::Sight> SurfaceOracle::seen_at(std::size_t view,

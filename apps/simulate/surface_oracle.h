@@ -24,7 +24,7 @@ class SurfaceOracle {
   };
 
   /// Keeps a reference to the scene. A view is named by its place in `views`.
-  SurfaceOracle(const Scene& scene, std::vector<AerialView> views);
+  SurfaceOracle(const SyntheticScene& scene, std::vector<AerialView> views);
 
   [[nodiscard]] std::size_t num_views() const { return views_.size(); }
 
@@ -50,7 +50,7 @@ class SurfaceOracle {
   [[nodiscard]] bool same_surface(const Sight& a, const Sight& b) const;
 
  private:
-  const Scene* scene_;
+  const SyntheticScene* scene_;
   std::vector<AerialView> views_;
   RayScene rays_;
 };

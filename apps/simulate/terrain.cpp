@@ -16,7 +16,7 @@ Eigen::Vector3d on(const PlanFunction& height, const Eigen::Vector2d& x) {
 
 }  // namespace
 
-Terrain::Terrain(double azimuth_rad, Scene& scene)
+Terrain::Terrain(double azimuth_rad, SyntheticScene& scene)
     : local_from_village_(Eigen::Rotation2Dd(azimuth_rad).toRotationMatrix()),
       centre_m_(0.5 * scene.extent_m),
       extent_(half_planes(rectangle(Eigen::Vector2d::Zero(), scene.extent_m))),

@@ -22,7 +22,7 @@ class Terrain {
  public:
   /// `azimuth_rad`: angle of the streets to the x axis. Village coordinates begin in the middle of
   /// the extent.
-  Terrain(double azimuth_rad, Scene& scene);
+  Terrain(double azimuth_rad, SyntheticScene& scene);
 
   [[nodiscard]] Eigen::Vector2d local(const Eigen::Vector2d& uv) const;
 
@@ -57,7 +57,7 @@ class Terrain {
   Eigen::Matrix2d local_from_village_;
   Eigen::Vector2d centre_m_;
   std::vector<PlanFunction> extent_;  // half-planes
-  Scene* scene_;
+  SyntheticScene* scene_;
 };
 
 }  // namespace ridgeline::simulate

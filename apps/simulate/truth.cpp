@@ -88,7 +88,7 @@ int returns_on(const ScenePlane& plane, const Segment3& line, const ReturnGrid& 
 
 }  // namespace
 
-std::vector<TruthLine> observe_lines(const Scene& scene, const io::PointCloud& cloud) {
+std::vector<TruthLine> observe_lines(const SyntheticScene& scene, const io::PointCloud& cloud) {
   check(cloud.frame.origin_m == scene.frame.origin_m,
         "observe_lines: cloud.frame.origin_m = ", cloud.frame.origin_m.transpose(),
         ", must be that of the scene, ", scene.frame.origin_m.transpose());

@@ -58,7 +58,7 @@ void ViewFile::write_rows(const cv::Mat& rows) {
   writer_->write_rows(rows);
 }
 
-io::Orientation orientation_of(const simulate::Scene& scene,
+io::Orientation orientation_of(const simulate::SyntheticScene& scene,
                                std::span<const simulate::AerialView> views,
                                bool are_frames) {
   io::Orientation orientation;
@@ -75,7 +75,7 @@ io::Orientation orientation_of(const simulate::Scene& scene,
   return orientation;
 }
 
-std::array<double, 4> area_m(const simulate::Scene& scene, double margin_m) {
+std::array<double, 4> area_m(const simulate::SyntheticScene& scene, double margin_m) {
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(margin_m);
   const Eigen::Vector2d origin_m = scene.frame.origin_m.head<2>();
   const Eigen::Vector2d low = origin_m - margin;

@@ -55,11 +55,11 @@ class ViewFile {
 
 /// Whole frames are of one camera. Other images are of one each, whose principal point is off the
 /// middle, and which is named after the image, since PAT-B names no cameras.
-io::Orientation orientation_of(const simulate::Scene& scene,
+io::Orientation orientation_of(const simulate::SyntheticScene& scene,
                                std::span<const simulate::AerialView> views,
                                bool are_frames);
 
 /// The plan with a margin, on the map: x_min, y_min, x_max, y_max.
-std::array<double, 4> area_m(const simulate::Scene& scene, double margin_m);
+std::array<double, 4> area_m(const simulate::SyntheticScene& scene, double margin_m);
 
 }  // namespace ridgeline::apps

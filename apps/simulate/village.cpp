@@ -58,7 +58,7 @@ void check_options(const VillageOptions& o) {
 
 class VillageBuilder {
  public:
-  VillageBuilder(const VillageOptions& options, Scene& scene)
+  VillageBuilder(const VillageOptions& options, SyntheticScene& scene)
       : options_(options),
         azimuth_rad_(kRadPerDeg * options.street_azimuth_deg),
         scene_(scene),
@@ -249,12 +249,12 @@ class VillageBuilder {
 
   const VillageOptions& options_;
   double azimuth_rad_;
-  Scene& scene_;
+  SyntheticScene& scene_;
   Terrain terrain_;
 };
 
 /// The upper edges of all chimneys.
-void add_chimney_lines(Scene& scene) {
+void add_chimney_lines(SyntheticScene& scene) {
   for (const ScenePlane& plane : scene.planes) {
     if (plane.kind != PlaneKind::kChimney) continue;
     for (std::size_t i = 0; i < plane.outline.size(); ++i) {
@@ -269,9 +269,9 @@ void add_chimney_lines(Scene& scene) {
 
 }  // namespace
 
-Scene make_village(const VillageOptions& options) {
+SyntheticScene make_village(const VillageOptions& options) {
   check_options(options);
-  Scene scene;
+  SyntheticScene scene;
   scene.frame.origin_m = options.origin_m;
   scene.crs.definition = options.crs;
   scene.extent_m = options.extent_m;

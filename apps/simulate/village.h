@@ -49,6 +49,6 @@ void set_clutter(VillageOptions& options);
 
 /// A village by seed: equal options give equal bytes. Buildings keep at least 0.5 m distance in
 /// plan. Throws std::invalid_argument for an option outside its range.
-Scene make_village(const VillageOptions& options);
+SyntheticScene make_village(const VillageOptions& options);
 
 }  // namespace ridgeline::simulate

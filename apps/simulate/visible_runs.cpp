@@ -73,7 +73,8 @@ double total_length(const std::vector<PlanInterval>& runs) {
   return sum;
 }
 
-std::vector<std::vector<double>> visible_shares(const Scene& scene, const SurfaceOracle& oracle) {
+std::vector<std::vector<double>> visible_shares(const SyntheticScene& scene,
+                                                const SurfaceOracle& oracle) {
   std::vector<std::vector<double>> shares(scene.lines.size());
   tbb::parallel_for(std::size_t{0}, shares.size(), [&](std::size_t i) {
     for (std::size_t view = 0; view < oracle.num_views(); ++view) {

@@ -27,7 +27,8 @@ std::vector<PlanInterval> visible_runs(const SurfaceOracle& oracle,
 double total_length(const std::vector<PlanInterval>& runs);
 
 /// How much of each true line each view sees: shares of its length by line, in order of
-/// Scene::lines, and view.
-std::vector<std::vector<double>> visible_shares(const Scene& scene, const SurfaceOracle& oracle);
+/// SyntheticScene::lines, and view.
+std::vector<std::vector<double>> visible_shares(const SyntheticScene& scene,
+                                                const SurfaceOracle& oracle);
 
 }  // namespace ridgeline::simulate

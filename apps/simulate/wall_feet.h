@@ -11,7 +11,7 @@ namespace ridgeline::simulate {
 /// The ground that a building stands on.
 struct GroundPlane {
   PlanFunction height;
-  int plane_id = kNone;  ///< index into Scene::planes
+  int plane_id = kNone;  ///< index into SyntheticScene::planes
 };
 
 /// Where walls of the parts meet the ground or the roof of another part: lines of kind foot, each

@@ -34,7 +34,7 @@ struct Tile {
 };
 
 /// The tiles in rows from the south-west. They share no point: where one ends, the next begins.
-std::vector<Tile> tiles_of(const simulate::Scene& scene, int side_m) {
+std::vector<Tile> tiles_of(const simulate::SyntheticScene& scene, int side_m) {
   std::vector<Tile> tiles;
   const auto end_m = [&](int from_m, double extent_m) {
     const double next_m = from_m + side_m;
@@ -51,7 +51,7 @@ std::vector<Tile> tiles_of(const simulate::Scene& scene, int side_m) {
   return tiles;
 }
 
-std::size_t write_tiles(const simulate::Scene& scene,
+std::size_t write_tiles(const simulate::SyntheticScene& scene,
                         const SimulateArguments& a,
                         Progress& progress,
                         const results::OutputFolder& out) {
@@ -66,7 +66,7 @@ std::size_t write_tiles(const simulate::Scene& scene,
   return num_points;
 }
 
-void write_frames(const simulate::Scene& scene,
+void write_frames(const simulate::SyntheticScene& scene,
                   std::span<const simulate::AerialView> frames,
                   const ViewOptions& options,
                   Progress& progress,
@@ -85,7 +85,7 @@ void write_frames(const simulate::Scene& scene,
   }
 }
 
-std::string block_text(const simulate::Scene& scene,
+std::string block_text(const simulate::SyntheticScene& scene,
                        const std::string& block_id,
                        const SimulateArguments& a) {
   const simulate::OrientationFiles files = simulate::orientation_files(a.views.orientation);
@@ -110,7 +110,7 @@ std::string block_text(const simulate::Scene& scene,
 
 }  // namespace
 
-std::vector<simulate::AerialView> block_frames(const simulate::Scene& scene,
+std::vector<simulate::AerialView> block_frames(const simulate::SyntheticScene& scene,
                                                const SimulateArguments& a) {
   const simulate::FlightOptions& flight = a.views.flight;
   std::vector<simulate::AerialView> frames =
@@ -120,7 +120,7 @@ std::vector<simulate::AerialView> block_frames(const simulate::Scene& scene,
   return frames;
 }
 
-std::vector<std::string> block_file_names(const simulate::Scene& scene,
+std::vector<std::string> block_file_names(const simulate::SyntheticScene& scene,
                                           std::span<const simulate::AerialView> frames,
                                           const SimulateArguments& a) {
   std::vector<std::string> names{kBlockFile};
@@ -131,7 +131,7 @@ std::vector<std::string> block_file_names(const simulate::Scene& scene,
   return names;
 }
 
-std::size_t write_block(const simulate::Scene& bare_scene,
+std::size_t write_block(const simulate::SyntheticScene& bare_scene,
                         std::span<const simulate::AerialView> frames,
                         const std::string& block_id,
                         const SimulateArguments& a,
@@ -141,7 +141,7 @@ std::size_t write_block(const simulate::Scene& bare_scene,
   constexpr bool kAreFrames = true;
   simulate::write_orientation(std::filesystem::path(out.path(kBlockFile)).parent_path().string(),
                               a.views.orientation, orientation_of(bare_scene, frames, kAreFrames));
-  simulate::Scene scene = bare_scene;
+  simulate::SyntheticScene scene = bare_scene;
   simulate::add_fittings(scene, a.views.render.seed);
   write_frames(scene, frames, a.views, progress, out);
   out.write(kBlockFile, block_text(scene, block_id, a));

@@ -13,18 +13,18 @@
 namespace ridgeline::apps {
 
 /// The frames of a block. Throws std::invalid_argument if fewer than two show a place of its area.
-std::vector<simulate::AerialView> block_frames(const simulate::Scene& scene,
+std::vector<simulate::AerialView> block_frames(const simulate::SyntheticScene& scene,
                                                const SimulateArguments& arguments);
 
 /// Names of the files that write_block() writes.
-std::vector<std::string> block_file_names(const simulate::Scene& scene,
+std::vector<std::string> block_file_names(const simulate::SyntheticScene& scene,
                                           std::span<const simulate::AerialView> frames,
                                           const SimulateArguments& arguments);
 
 /// Writes a block: the LIDAR in tiles, the orientation, the frames, with fittings in the village,
 /// and block.yaml, which names them and truth.geojson. One tile and some rows of a frame are in
 /// memory at a time. Returns the number of laser points.
-std::size_t write_block(const simulate::Scene& bare_scene,
+std::size_t write_block(const simulate::SyntheticScene& bare_scene,
                         std::span<const simulate::AerialView> frames,
                         const std::string& block_id,
                         const SimulateArguments& arguments,

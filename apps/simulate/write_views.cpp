@@ -28,7 +28,7 @@ constexpr const char* kPatchFile = "patch.yaml";
 bool have_tracks(std::size_t num_views) { return num_views > 2; }
 
 /// Writes the image of a view and returns what it shows of the village.
-simulate::ImageWindow write_image(const simulate::Scene& scene,
+simulate::ImageWindow write_image(const simulate::SyntheticScene& scene,
                                   const simulate::AerialView& view,
                                   const ViewOptions& options,
                                   const results::OutputFolder& out) {
@@ -46,7 +46,7 @@ io::PatchKeys patch_keys(const std::string& orientation) {
   return {.orientation = files.orientation, .cameras = files.cameras, .matrix = files.matrix};
 }
 
-void write_patch_file(const simulate::Scene& scene,
+void write_patch_file(const simulate::SyntheticScene& scene,
                       const std::string& patch_id,
                       std::span<const simulate::AerialView> views,
                       const ViewOptions& options,
@@ -80,7 +80,7 @@ void write_true_edges(std::span<const simulate::ShownEdge> edges,
   out.write(kTracksFile, simulate::tracks_csv(simulate::edge_tracks(edges), views));
 }
 
-io::LineSet seen_by_views(const simulate::Scene& scene,
+io::LineSet seen_by_views(const simulate::SyntheticScene& scene,
                           const simulate::SurfaceOracle& oracle,
                           std::span<const simulate::AerialView> views,
                           io::LineSet truth) {
@@ -112,12 +112,12 @@ std::vector<std::string> view_file_names(const ViewOptions& options) {
   return names;
 }
 
-io::LineSet write_views(const simulate::Scene& bare_scene,
+io::LineSet write_views(const simulate::SyntheticScene& bare_scene,
                         const std::string& patch_id,
                         const ViewOptions& options,
                         io::LineSet truth,
                         const results::OutputFolder& out) {
-  simulate::Scene scene = bare_scene;
+  simulate::SyntheticScene scene = bare_scene;
   simulate::add_fittings(scene, options.render.seed);
   const std::vector<simulate::AerialView> views = simulate::aerial_views(scene, options.flight);
   if (!options.orientation.empty()) {

@@ -17,10 +17,10 @@ std::vector<std::string> view_file_names(const ViewOptions& options);
 /// Renders all views of a scene, with its fittings, and writes an image ID.tif of each, matches.csv
 /// (the true matches of the first two), of three and more tracks.csv (the true tracks), the
 /// orientation, and patch.yaml, which names lidar.las and truth.geojson too and of whole frames the
-/// area of the village. Returns `truth`, the true lines in order of Scene::lines, with their class
-/// by these cameras, the shares that the first two views see and, of three and more, how many see
-/// half of the line or more.
-io::LineSet write_views(const simulate::Scene& bare_scene,
+/// area of the village. Returns `truth`, the true lines in order of SyntheticScene::lines, with
+/// their class by these cameras, the shares that the first two views see and, of three and more,
+/// how many see half of the line or more.
+io::LineSet write_views(const simulate::SyntheticScene& bare_scene,
                         const std::string& patch_id,
                         const ViewOptions& options,
                         io::LineSet truth,

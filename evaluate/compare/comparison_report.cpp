@@ -17,10 +17,10 @@ std::string p_text(std::optional<double> p) {
   return *p < 0.001 ? "< 0.001" : fixed(p, 3);
 }
 
-TextTable common_table(const Comparison& c) {
-  TextTable table({"class"},
-                  {{"n:", "RMS A:", "RMS B:", "B / A:", "95 %:", "A - B:", "95 %:"},
-                   {"median A - B:", "Wilcoxon p:", "B improved:", "unchanged:", "worse:"}});
+PrintedTable common_table(const Comparison& c) {
+  PrintedTable table({"class"},
+                     {{"n:", "RMS A:", "RMS B:", "B / A:", "95 %:", "A - B:", "95 %:"},
+                      {"median A - B:", "Wilcoxon p:", "B improved:", "unchanged:", "worse:"}});
   for (const PairedSummary& s : c.classes) {
     table.add(s.line_class, s.n, metres(s.rms_a_m), metres(s.rms_b_m), fixed(s.rms_ratio, 3),
               interval_text(s.rms_ratio_ci95), metres(s.rms_gain_m), interval_text(s.rms_gain_ci95),
@@ -30,8 +30,8 @@ TextTable common_table(const Comparison& c) {
   return table;
 }
 
-TextTable own_table(const Comparison& c) {
-  TextTable table({"class", "RMS A (evaluated/all):", "RMS B (evaluated/all):"});
+PrintedTable own_table(const Comparison& c) {
+  PrintedTable table({"class", "RMS A (evaluated/all):", "RMS B (evaluated/all):"});
   const std::vector<Summary>& longer = c.own_a.size() >= c.own_b.size() ? c.own_a : c.own_b;
   for (const Summary& s : longer) {
     table.add(s.line_class, rms_text(find_class(c.own_a, s.line_class)),
@@ -40,19 +40,19 @@ TextTable own_table(const Comparison& c) {
   return table;
 }
 
-TextTable alone_table(const Comparison& c) {
+PrintedTable alone_table(const Comparison& c) {
   std::vector<std::string> columns{"only in"};
   for (const double upto_m : kAloneUpTo_m) columns.push_back(fmt::format("up to {} m:", upto_m));
   columns.emplace_back("above:");
-  TextTable table(columns);
+  PrintedTable table(columns);
   for (const auto& [name, counts] : {std::pair("A", c.only_a), std::pair("B", c.only_b)}) {
     table.add(name, counts[0], counts[1], counts[2], counts[3], counts[4]);
   }
   return table;
 }
 
-TextTable worst_table(const Comparison& c) {
-  TextTable table({"id", "class", "A:", "B:", "A - B:"});
+PrintedTable worst_table(const Comparison& c) {
+  PrintedTable table({"id", "class", "A:", "B:", "A - B:"});
   for (const PairedLine& l : c.worst) {
     table.add(l.id, l.line_class, metres(l.a_m), metres(l.b_m), metres(l.gain_m()));
   }
@@ -88,7 +88,7 @@ std::string comparison_text(const Comparison& c, Markup markup) {
   if (c.n_only_a + c.n_only_b > 0) {
     text += "\n" + captioned("Unpaired lines, by distance:", alone_table(c), markup);
   }
-  const TextTable worst = worst_table(c);
+  const PrintedTable worst = worst_table(c);
   if (!worst.empty()) {
     text += "\n" + captioned("Lines with the largest increase from A to B:", worst, markup);
   }

@@ -48,11 +48,12 @@ std::vector<MatcherFigures> with_pooled(std::span<const MatcherFigures> rows) {
 }
 
 /// The figures of Table 1, then what each run finds that the others miss, accuracy and coverage.
-TextTable table_of(std::span<const MatcherFigures> rows) {
-  TextTable table({"patch", "run", "matcher"}, {{"matches:", "correct:", "false:", "missed:",
-                                                 "correctness %:", "completeness %:", "quality %:"},
-                                                {"alone:", "alone, false:", "LIDAR RMS (n):",
-                                                 "true RMS (n):", "gross %:", "roof found %:"}});
+PrintedTable table_of(std::span<const MatcherFigures> rows) {
+  PrintedTable table({"patch", "run", "matcher"},
+                     {{"matches:", "correct:", "false:", "missed:", "correctness %:",
+                       "completeness %:", "quality %:"},
+                      {"alone:", "alone, false:", "LIDAR RMS (n):", "true RMS (n):", "gross %:",
+                       "roof found %:"}});
   for (const MatcherFigures& row : with_pooled(rows)) {
     const MatchQuality quality = match_quality(row.counts);
     table.add(row.patch, row.run, row.matcher, row.n_matches, row.counts.n_correct,

@@ -44,12 +44,12 @@ std::string note_of(const GateResult& r) {
 }
 
 /// The table of the results, failures first.
-TextTable table_of(const GateReport& report) {
+PrintedTable table_of(const GateReport& report) {
   std::vector<GateResult> rows = report.results;
   std::stable_partition(rows.begin(), rows.end(),
                         [](const GateResult& r) { return r.verdict != Verdict::kPassed; });
-  TextTable table({"gate", "patch", "method"},
-                  {{"value:", "limit:", "baseline:", "n:", "verdict"}});
+  PrintedTable table({"gate", "patch", "method"},
+                     {{"value:", "limit:", "baseline:", "n:", "verdict"}});
   for (const GateResult& r : rows) {
     table.add(r.rule, r.patch, r.method, number(r.value), number(r.limit), number(r.baseline), r.n,
               name(r.verdict));
@@ -122,7 +122,7 @@ std::string to_junit(const GateReport& report, std::string_view timestamp) {
 }
 
 std::string to_markdown(const GateReport& report, std::size_t max_bytes) {
-  const TextTable table = table_of(report);
+  const PrintedTable table = table_of(report);
   std::string tail = "\n";
   for (const std::string& warning : report.warnings) {
     tail += "Warning: " + escape_markdown(warning) + "\n\n";

@@ -104,7 +104,8 @@ std::vector<double> probabilities(std::span<const SurfaceEvidence> evidence, Dec
 /// Whether two hypotheses give a line the same distance.
 bool are_one_surface(const SurfaceHypothesis& a, const SurfaceHypothesis& b) {
   constexpr double kSame_m = 0.15;
-  if (a.surface == Surface::kObject || b.surface == Surface::kObject) return a.surface == b.surface;
+  if (a.surface == JudgingSurface::kObject || b.surface == JudgingSurface::kObject)
+    return a.surface == b.surface;
   return (a.heights_m - b.heights_m).cwiseAbs().maxCoeff() <= kSame_m;
 }
 
@@ -133,7 +134,7 @@ std::size_t likeliest(std::span<const SurfaceHypothesis> hypotheses,
   std::optional<std::size_t> best;
   double most = 0.0;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    if (!objects_too && hypotheses[i].surface == Surface::kObject) continue;
+    if (!objects_too && hypotheses[i].surface == JudgingSurface::kObject) continue;
     const double of_surface = probability_of(i, hypotheses, p);
     if (best && (of_surface < most || (of_surface == most && p[i] <= p[*best]))) continue;
     best = i;
@@ -168,17 +169,17 @@ std::optional<std::size_t> next_surface(std::size_t chosen,
   return next;
 }
 
-const char* words(Surface surface) {
+const char* words(JudgingSurface surface) {
   switch (surface) {
-    case Surface::kUpper:
+    case JudgingSurface::kUpper:
       return "the upper surface";
-    case Surface::kLower:
+    case JudgingSurface::kLower:
       return "a lower surface";
-    case Surface::kGround:
+    case JudgingSurface::kGround:
       return "the ground";
-    case Surface::kRidge:
+    case JudgingSurface::kRidge:
       return "two planes that meet";
-    case Surface::kObject:
+    case JudgingSurface::kObject:
       return "an object without a plane";
   }
   return "nothing";
@@ -263,7 +264,7 @@ SurfaceDecision decide_surface(std::span<const ZonePoint> zone,
                     *decision.probability, next ? words(*decision.other) : "nothing");
     return decision;
   }
-  if (hypotheses[chosen].surface == Surface::kObject) {
+  if (hypotheses[chosen].surface == JudgingSurface::kObject) {
     decision.reason = "the edge of a car, a hedge or another object without a plane in the cloud";
     return decision;
   }

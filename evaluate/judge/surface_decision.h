@@ -42,9 +42,9 @@ struct SurfaceDecision {
   Kind kind = Kind::kNone;
   std::vector<std::size_t> planes;  ///< indices of the candidates: one (step) or two (ridge)
   std::vector<std::string> flags;
-  std::optional<Surface> surface, other;  ///< empty without candidates
-  std::optional<double> probability;      ///< of `surface`
-  std::optional<DecidedBy> decided_by;    ///< of an evaluated line
+  std::optional<JudgingSurface> surface, other;  ///< empty without candidates
+  std::optional<double> probability;             ///< of `surface`
+  std::optional<DecidedBy> decided_by;           ///< of an evaluated line
   bool is_far = false;  ///< the line lies on none of the surfaces that it may be an edge of
 };
 

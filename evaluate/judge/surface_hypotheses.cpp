@@ -282,7 +282,9 @@ class Hypotheses {
         std::ranges::any_of(
             placed_, [&](const PlacedPlane& o) { return o.height_m > plane.height_m + kStorey_m; });
     SurfaceHypothesis h;
-    h.surface = is_ground ? Surface::kGround : is_lower ? Surface::kLower : Surface::kUpper;
+    h.surface = is_ground  ? JudgingSurface::kGround
+                : is_lower ? JudgingSurface::kLower
+                           : JudgingSurface::kUpper;
     h.planes = {plane.candidate};
     h.heights_m = heights_at_ends(candidate.fit.plane, footprint_);
     // points end before the border of their plane, by half their distance on average over a stretch
@@ -303,7 +305,7 @@ class Hypotheses {
                                                      const PlaneMeeting& meeting,
                                                      double angle_rad) const {
     SurfaceHypothesis h;
-    h.surface = Surface::kRidge;
+    h.surface = JudgingSurface::kRidge;
     h.planes = {a, b};
     h.heights_m = 0.5 * (heights_at_ends(candidates_[a].fit.plane, footprint_) +
                          heights_at_ends(candidates_[b].fit.plane, footprint_));

@@ -56,7 +56,7 @@ enum PlanTerm : std::size_t {
 
 /// A surface that a line may be an edge of.
 struct SurfaceHypothesis {
-  Surface surface = Surface::kObject;
+  JudgingSurface surface = JudgingSurface::kObject;
   /// Candidates: one, two that meet, of an object none.
   std::vector<std::size_t> planes;
   Eigen::Vector2d heights_m{HUGE_VAL,

@@ -31,8 +31,8 @@ std::string style_sentence(const AccuracyStatement& total) {
 }
 
 std::string strata_table(const Stratification& stratification) {
-  TextTable table({stratification.by, "n / lines:", "RMS:", "95 % interval:", "NMAD:", "95 %:",
-                   "NEES / dof:", "median z2:", "|z| <= 1.96 %:", "|z| > 3.29 %:"});
+  PrintedTable table({stratification.by, "n / lines:", "RMS:", "95 % interval:", "NMAD:", "95 %:",
+                      "NEES / dof:", "median z2:", "|z| <= 1.96 %:", "|z| > 3.29 %:"});
   for (const Stratum& stratum : stratification.strata) {
     const Summary& s = stratum.summary;
     table.add(s.line_class, fmt::format("{} / {}", s.n_evaluated, s.n_lines), metres(s.rms_m),
@@ -47,7 +47,7 @@ std::string strata_table(const Stratification& stratification) {
 }  // namespace
 
 std::string to_markdown(std::span<const AccuracyStatement> statements) {
-  TextTable table(
+  PrintedTable table(
       {"class", "n:", "observed (against the planes):", "product (true datum):", "method only:",
        "sigma of the reference:", "lines with half of the squares:", "RMS without them:", "flags"});
   for (const AccuracyStatement& s : statements) {

@@ -44,7 +44,7 @@ std::string decoys_to_terminal(std::span<const Evaluation> evaluations) {
   for (const double distance_m : kDecoyDistances_m) {
     columns.push_back(fmt::format("{} m:", distance_m));
   }
-  TextTable table(columns);
+  PrintedTable table(columns);
   for (const Evaluation& e : evaluations) {
     for (const DecoyKind kind : kDecoyKinds) {
       const bool has_kind = std::ranges::count(e.decoys, kind, &DecoyFigure::kind) > 0;
@@ -63,8 +63,9 @@ std::string decoys_to_terminal(std::span<const Evaluation> evaluations) {
 
 std::string decoys_to_markdown(const Evaluation& evaluation) {
   if (!has_decoys(evaluation)) return "";
-  TextTable table({"decoys", "moved by:", "lines:", "decoys:",
-                   fmt::format("within {} m %:", kRight_m), "95 % interval:", "not evaluated %:"});
+  PrintedTable table({"decoys",
+                      "moved by:", "lines:", "decoys:", fmt::format("within {} m %:", kRight_m),
+                      "95 % interval:", "not evaluated %:"});
   for (const DecoyFigure& d : evaluation.decoys) {
     table.add(name(d.kind), fmt::format("{} m", d.distance_m), d.n_lines, d.n_decoys,
               percent(d.share()), interval_percent(d.ci95), percent(d.withheld_share()));

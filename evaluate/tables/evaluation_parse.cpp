@@ -170,8 +170,8 @@ LineEvaluation parse_line(const Json& json, const Eigen::Vector3d& origin_m) {
     check(flag.is_string(), "flags: ", flag.dump(), "; must be a string");
     line.flags.push_back(flag.get<std::string>());
   }
-  line.surface = named_if_any<Surface>(json, "surface", kNumSurfaces);
-  line.surface_other = named_if_any<Surface>(json, "surface_other", kNumSurfaces);
+  line.surface = named_if_any<JudgingSurface>(json, "surface", kNumSurfaces);
+  line.surface_other = named_if_any<JudgingSurface>(json, "surface_other", kNumSurfaces);
   line.surface_probability = number_if_any(json, "surface_probability");
   line.decided_by = named_if_any<DecidedBy>(json, "decided_by", kNumDecidedBy);
   // null stands for the length of a line whose coordinates are not finite

@@ -20,9 +20,9 @@ std::optional<double> share_of(const ReferenceCompleteness& row) {
 }
 
 std::string errors_markdown(const std::vector<ReferenceRow>& rows) {
-  TextTable table({"patch", "method", "class", "lines:", "on a true line:", "RMS m:", "median m:",
-                   "95 % m:", "max m:", "gross %:", "RMSE H m:", "RMSE V m:", "mean V m:",
-                   "median NEES:", "beyond 99.9 %:"});
+  PrintedTable table({"patch", "method", "class", "lines:", "on a true line:", "RMS m:",
+                      "median m:", "95 % m:", "max m:", "gross %:", "RMSE H m:", "RMSE V m:",
+                      "mean V m:", "median NEES:", "beyond 99.9 %:"});
   for (const ReferenceRow& row : rows) {
     for (const ReferenceErrors& e : row.comparison.classes) {
       table.add(row.patch, row.method, e.line_class, e.n_lines, e.n_on_reference, metres(e.rms_m),
@@ -35,7 +35,7 @@ std::string errors_markdown(const std::vector<ReferenceRow>& rows) {
 }
 
 std::string completeness_markdown(const std::vector<ReferenceRow>& rows) {
-  TextTable table({"patch", "method", "kind", "true lines:", "reconstructed:", "%:"});
+  PrintedTable table({"patch", "method", "kind", "true lines:", "reconstructed:", "%:"});
   for (const ReferenceRow& row : rows) {
     for (const ReferenceCompleteness& c : row.comparison.completeness) {
       table.add(row.patch, row.method, c.kind, c.n_lines, c.n_reconstructed, percent(share_of(c)));
@@ -45,8 +45,8 @@ std::string completeness_markdown(const std::vector<ReferenceRow>& rows) {
 }
 
 std::string wireframe_markdown(const std::vector<ReferenceRow>& rows) {
-  TextTable table({"patch", "method", "threshold m:", "edge precision %:", "recall %:", "F1 %:",
-                   "corner precision %:", "recall %:", "F1 %:", "mean corner offset m:"});
+  PrintedTable table({"patch", "method", "threshold m:", "edge precision %:", "recall %:", "F1 %:",
+                      "corner precision %:", "recall %:", "F1 %:", "mean corner offset m:"});
   for (const ReferenceRow& row : rows) {
     for (const WireframeScore& w : row.wireframe) {
       table.add(row.patch, row.method, fmt::format("{:g}", w.threshold_m),

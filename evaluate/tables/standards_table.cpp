@@ -23,8 +23,8 @@ std::string asprs_flags(const AsprsFigures& figures) {
 }
 
 std::string asprs_markdown(const std::vector<StandardsBlock>& blocks) {
-  TextTable table({"class", "n:", "RMSE_H:", "RMSE_V:", "RMSE_3D:",
-                   "best class supported by the reference:", "flags", "NSSDA H:", "NSSDA V:"});
+  PrintedTable table({"class", "n:", "RMSE_H:", "RMSE_V:", "RMSE_3D:",
+                      "best class supported by the reference:", "flags", "NSSDA H:", "NSSDA V:"});
   for (const StandardsBlock& b : blocks) {
     table.add(b.line_class, b.asprs.n, metres(b.asprs.rmse_horizontal_m),
               metres(b.asprs.rmse_vertical_m), metres(b.asprs.rmse_3d_m),
@@ -37,8 +37,8 @@ std::string asprs_markdown(const std::vector<StandardsBlock>& blocks) {
 }
 
 std::string budget_markdown(const std::vector<StandardsBlock>& blocks) {
-  TextTable table({"class", "laser, random:", "laser, systematic:", "plane fit:", "combined u:",
-                   "expanded U = 2u:", "sampling of the RMS:"});
+  PrintedTable table({"class", "laser, random:", "laser, systematic:", "plane fit:", "combined u:",
+                      "expanded U = 2u:", "sampling of the RMS:"});
   for (const StandardsBlock& b : blocks) {
     table.add(b.line_class, metres(b.budget.laser_random_m), metres(b.budget.laser_systematic_m),
               metres(b.budget.plane_fit_m), metres(b.budget.combined_m()),
@@ -50,7 +50,7 @@ std::string budget_markdown(const std::vector<StandardsBlock>& blocks) {
 }
 
 std::string measures_markdown(const StandardsBlock& block) {
-  TextTable table({"id:", "measure", "value:", "unit", "n:"});
+  PrintedTable table({"id:", "measure", "value:", "unit", "n:"});
   for (const IsoMeasure& m : block.iso19157) {
     table.add(m.id, m.name, value_text(m, kNoValue), m.unit, m.n);
   }

@@ -31,9 +31,9 @@ std::string images_text(const std::optional<std::size_t>& group) {
 }
 
 /// The table of tracks; see to_tracks_csv().
-TextTable tracks_table(const Table1& table) {
-  TextTable written({"patch", "class", "images", "edges:", "found:", "edge recall %:", "shown:",
-                     "observation recall %:", "right:", "wrong:", "observation precision %:"});
+PrintedTable tracks_table(const Table1& table) {
+  PrintedTable written({"patch", "class", "images", "edges:", "found:", "edge recall %:", "shown:",
+                        "observation recall %:", "right:", "wrong:", "observation precision %:"});
   for (const PatchTracks& of_patch : table.tracks) {
     for (const TrackCell& cell : of_patch.cells) {
       const TrackCounts& c = cell.counts;
@@ -87,8 +87,8 @@ PatchTracks parse_tracks(const Json& json) {
 }  // namespace
 
 std::string to_markdown(const Table1& table) {
-  TextTable written({"patch", "matcher", "correct:", "false:", "missed:", "correctness %:",
-                     "completeness %:", "quality %:"});
+  PrintedTable written({"patch", "matcher", "correct:", "false:", "missed:", "correctness %:",
+                        "completeness %:", "quality %:"});
   for (const Table1Row& row : table.rows) {
     const MatchQuality q = match_quality(row.counts);
     written.add(row.patch, row.matcher, row.counts.n_correct, row.counts.n_false,

@@ -50,7 +50,7 @@ std::string published_form_markdown(const Table2& table) {
       columns.push_back(fmt::format("{} {}:", method, line_class));
     }
   }
-  TextTable written(columns);
+  PrintedTable written(columns);
   for (const Table2Layout::LayoutRow& row : layout.rows) {
     std::vector<std::string> cells{row.patch};
     for (const Summary* cell : row.cells) cells.push_back(headline_text(cell));
@@ -60,7 +60,7 @@ std::string published_form_markdown(const Table2& table) {
 }
 
 std::string companions_markdown(const Table2& table) {
-  TextTable written(
+  PrintedTable written(
       {"patch", "method", "class", "n:", "evaluated %:", "RMS:", "95 % interval:", "clusters:",
        "bias:", "std:", "median:", "NMAD:", "68.3 %:", "95 %:", "max:",
        "lines with half of the squares:", "RMS without them:", "> gross limit %:", "excluded"});
@@ -80,7 +80,7 @@ std::string companions_markdown(const Table2& table) {
 
 /// The table of the parts of ridges and hips below its caption; "" if there are none.
 std::string parts_markdown(const Table2& table) {
-  TextTable written(
+  PrintedTable written(
       {"patch", "method", "class", "n:", "RMSE horizontal:", "RMSE vertical:", "mean vertical:"});
   for (const PatchMethodResult& result : table.results) {
     for (const Summary& s : result.classes) {

@@ -39,9 +39,9 @@ std::string squares_notes(const Table2& table) {
 }
 
 /// The tracks by number of images, all classes together.
-TextTable tracks_in_short(const Table1& table) {
-  TextTable written({"patch", "images", "edges:", "found:", "edge recall %:",
-                     "observation recall %:", "observation precision %:"});
+PrintedTable tracks_in_short(const Table1& table) {
+  PrintedTable written({"patch", "images", "edges:", "found:", "edge recall %:",
+                        "observation recall %:", "observation precision %:"});
   for (const PatchTracks& of_patch : table.tracks) {
     for (const TrackCell& cell : of_patch.cells) {
       if (cell.line_class != kTotal || cell.counts.n_edges == 0) continue;
@@ -58,7 +58,7 @@ TextTable tracks_in_short(const Table1& table) {
 
 std::string to_terminal(const Table1& table) {
   if (table.rows.empty() && table.tracks.empty()) return "";
-  TextTable written(
+  PrintedTable written(
       {"patch", "matcher", "correct:", "false:", "missed:", "correctness %:", "completeness %:"});
   for (const Table1Row& row : table.rows) {
     const MatchQuality quality = match_quality(row.counts);
@@ -77,7 +77,7 @@ std::string to_terminal(const Table2& table) {
                                    "RMS:",  "95 % interval:", "median:", "95 %:"};
   const bool with_ridges = has_ridges(table);
   if (with_ridges) columns.insert(columns.end(), {"ridges:", "RMSE_H:", "RMSE_V:"});
-  TextTable written(columns);
+  PrintedTable written(columns);
   for (const PatchMethodResult& result : table.results) {
     for (const Summary& of_class : result.classes) {
       for (const auto& [class_name, s] : rows_of(of_class)) {

@@ -19,32 +19,34 @@ std::string in_sentence(std::string_view text, Markup markup) {
   return markup == Markup::kMarkdown ? escape_markdown(text) : printable(text);
 }
 
-TextTable::TextTable(const std::vector<std::string>& keys,
-                     const std::vector<std::vector<std::string>>& parts) {
+PrintedTable::PrintedTable(const std::vector<std::string>& keys,
+                           const std::vector<std::vector<std::string>>& parts) {
   add_columns(keys, 0);
   for (std::size_t i = 0; i < parts.size(); ++i) add_columns(parts[i], i + 1);
 }
 
-void TextTable::add_columns(const std::vector<std::string>& titles, std::size_t part) {
+void PrintedTable::add_columns(const std::vector<std::string>& titles, std::size_t part) {
   for (const std::string& title : titles) {
     const bool is_right = title.ends_with(':');
     columns_.push_back({title.substr(0, title.size() - (is_right ? 1 : 0)), is_right, part});
   }
 }
 
-void TextTable::add_row(std::vector<std::string> cells) { rows_.push_back({std::move(cells), ""}); }
+void PrintedTable::add_row(std::vector<std::string> cells) {
+  rows_.push_back({std::move(cells), ""});
+}
 
-std::string TextTable::text(Markup markup) const {
+std::string PrintedTable::text(Markup markup) const {
   return markup == Markup::kMarkdown ? markdown() : plain();
 }
 
-std::string TextTable::markdown() const {
+std::string PrintedTable::markdown() const {
   std::string text = markdown_head();
   for (std::size_t i = 0; i < rows_.size(); ++i) text += markdown_row(i);
   return text;
 }
 
-std::string TextTable::markdown_head() const {
+std::string PrintedTable::markdown_head() const {
   std::string head = "|";
   std::string rule = "|";
   for (const ColumnLayout& column : columns_) {
@@ -54,7 +56,7 @@ std::string TextTable::markdown_head() const {
   return head + "\n" + rule + "\n";
 }
 
-std::string TextTable::markdown_row(std::size_t row) const {
+std::string PrintedTable::markdown_row(std::size_t row) const {
   std::string text = "|";
   for (const std::string& cell : rows_[row].cells) text += " " + escape_markdown(cell) + " |";
   const std::string& note = rows_[row].note;
@@ -64,21 +66,21 @@ std::string TextTable::markdown_row(std::size_t row) const {
 
 /// Whether a plain table shows a column. It shows all keys, and the columns in which a row has a
 /// figure.
-bool TextTable::has_figures(std::size_t column) const {
+bool PrintedTable::has_figures(std::size_t column) const {
   if (columns_[column].part == 0 || rows_.empty()) return true;
   return std::ranges::any_of(rows_,
-                             [&](const TextRow& row) { return row.cells[column] != kNoValue; });
+                             [&](const PrintedRow& row) { return row.cells[column] != kNoValue; });
 }
 
-std::size_t TextTable::width_of(std::size_t column) const {
+std::size_t PrintedTable::width_of(std::size_t column) const {
   std::size_t width = display_width(printable(columns_[column].title));
-  for (const TextRow& row : rows_) {
+  for (const PrintedRow& row : rows_) {
     width = std::max(width, display_width(printable(row.cells[column])));
   }
   return width;
 }
 
-std::string TextTable::plain() const {
+std::string PrintedTable::plain() const {
   std::vector<std::size_t> all;
   std::vector<std::vector<std::size_t>> blocks(columns_.back().part + 1);
   std::size_t width = 0;
@@ -98,7 +100,7 @@ std::string TextTable::plain() const {
   return text;
 }
 
-std::string TextTable::block(const std::vector<std::size_t>& columns) const {
+std::string PrintedTable::block(const std::vector<std::size_t>& columns) const {
   std::vector<std::string> lines(rows_.size() + 1);
   for (const std::size_t i : columns) {
     const std::size_t width = width_of(i);
@@ -119,7 +121,7 @@ std::string TextTable::block(const std::vector<std::size_t>& columns) const {
   return text;
 }
 
-std::string captioned(std::string_view caption, const TextTable& table, Markup markup) {
+std::string captioned(std::string_view caption, const PrintedTable& table, Markup markup) {
   const char* gap = markup == Markup::kMarkdown ? "\n\n" : "\n";
   return fmt::format("{}{}{}", caption, gap, table.text(markup));
 }

@@ -21,16 +21,16 @@ std::string in_sentence(std::string_view text, Markup markup);
 
 /// A table of text that can be written for every Markup. Cells are given as they shall be read;
 /// what Markdown takes for markup is escaped when the table is written.
-class TextTable {
+class PrintedTable {
  public:
   /// A column whose title ends in a colon is flush right: "RMS:".
-  explicit TextTable(const std::vector<std::string>& columns) : TextTable(columns, {}) {}
+  explicit PrintedTable(const std::vector<std::string>& columns) : PrintedTable(columns, {}) {}
 
   /// `keys` are the titles of the columns that tell the rows apart, `parts` those of their figures,
   /// in groups. If a plain table with several groups is too wide for a terminal, each group becomes
   /// a block that repeats the keys.
-  TextTable(const std::vector<std::string>& keys,
-            const std::vector<std::vector<std::string>>& parts);
+  PrintedTable(const std::vector<std::string>& keys,
+               const std::vector<std::vector<std::string>>& parts);
 
   /// Adds a row with a cell for each column.
   template <typename... Cells>
@@ -56,7 +56,7 @@ class TextTable {
     bool is_right = false;
     std::size_t part = 0;  ///< 0 for a key, else the place of its group in `parts`, from 1
   };
-  struct TextRow {
+  struct PrintedRow {
     std::vector<std::string> cells;
     std::string note;
   };
@@ -69,11 +69,11 @@ class TextTable {
   [[nodiscard]] std::string block(const std::vector<std::size_t>& columns) const;
 
   std::vector<ColumnLayout> columns_;
-  std::vector<TextRow> rows_;
+  std::vector<PrintedRow> rows_;
 };
 
 /// A table below its caption.
-std::string captioned(std::string_view caption, const TextTable& table, Markup markup);
+std::string captioned(std::string_view caption, const PrintedTable& table, Markup markup);
 
 /// Sentences as a paragraph. For a terminal it is broken between words into lines that are no wider
 /// than tables; in Markdown it is not changed.

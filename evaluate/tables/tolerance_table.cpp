@@ -31,8 +31,8 @@ std::string tolerances_to_csv(const std::vector<ToleranceRow>& rows) {
 }
 
 std::string tolerances_to_markdown(const std::vector<ToleranceRow>& rows) {
-  TextTable table({"patch", "method", "against", "tolerance m:", "precision:", "completeness:",
-                   "F:", "redundancy:", "R m:", "P:"});
+  PrintedTable table({"patch", "method", "against", "tolerance m:", "precision:", "completeness:",
+                      "F:", "redundancy:", "R m:", "P:"});
   for (const ToleranceRow& row : rows) {
     const ToleranceMeasures& m = row.measures;
     table.add(row.patch, row.method, row.reference, fixed(m.tolerance_m, kToleranceDecimals),

@@ -24,7 +24,7 @@ using Fields = std::vector<std::string_view>;
 constexpr std::array kAxes{std::pair{PointAttribute::kX, "x"}, std::pair{PointAttribute::kY, "y"},
                            std::pair{PointAttribute::kZ, "z"}};
 
-struct Row {
+struct PointRow {
   std::string_view text;
   std::uint64_t number = 0;
   std::size_t offset = 0;
@@ -62,7 +62,7 @@ struct ColumnNames {
 };
 
 /// The columns that a line names, commented out or not; nothing if x, y and z are not among them.
-std::optional<ColumnNames> column_names(const Row& line) {
+std::optional<ColumnNames> column_names(const PointRow& line) {
   std::string_view text = line.text;
   text.remove_prefix(std::min(text.find_first_not_of("#/%!; \t"), text.size()));
   ColumnNames columns{
@@ -112,14 +112,14 @@ class LayoutFinder {
   }
 
  private:
-  [[noreturn]] void fail(const Row& line, const std::string& message) const {
+  [[noreturn]] void fail(const PointRow& line, const std::string& message) const {
     throw IoError(path_, fmt::format("line {}: {}", line.number, message));
   }
 
-  std::optional<Row> next() {
+  std::optional<PointRow> next() {
     if (next_offset_ >= text_.size()) return std::nullopt;
     const std::size_t end = std::min(text_.find('\n', next_offset_), text_.size());
-    Row line{text_.substr(next_offset_, end - next_offset_), ++number_, next_offset_};
+    PointRow line{text_.substr(next_offset_, end - next_offset_), ++number_, next_offset_};
     next_offset_ = end + 1;
     return line;
   }
@@ -197,7 +197,7 @@ class LayoutFinder {
   bool counts_points() {
     constexpr std::size_t kMinRows = 3, kMaxRows = 50;
     std::vector<Fields> rows;
-    for (std::optional<Row> line = first_; line && rows.size() < kMaxRows; line = next()) {
+    for (std::optional<PointRow> line = first_; line && rows.size() < kMaxRows; line = next()) {
       if (!is_text_row(line->text)) continue;
       rows.push_back(fields_of(line->text, layout_.separator));
       if (!begins_with_numbers(rows.back(), 4)) return false;
@@ -216,7 +216,7 @@ class LayoutFinder {
   std::uint64_t number_ = 0;  ///< of the line that next() gave last
   TextLayout layout_;
   std::optional<ColumnNames> columns_;
-  std::optional<Row> first_;  ///< the first point
+  std::optional<PointRow> first_;  ///< the first point
 };
 
 }  // namespace

@@ -28,7 +28,7 @@ constexpr const char* kGeoJsonTypes =
     "GeometryCollection";
 
 /// A kind of document or table by the names in it.
-struct Known {
+struct KnownMember {
   const char* what;
   FileGroup group;
   const char* names;        ///< of keys or columns, as words: all of these
@@ -38,52 +38,55 @@ struct Known {
 
 /// Documents by the value of their outermost key `type`, of which one is named.
 constexpr std::array kDocumentTypes{
-    Known{kGeoJson, kLines, kGeoJsonTypes, "", ".geojson"},
-    Known{"a CityJSON feature", kOther, "CityJSONFeature",
-          "give the whole file, which begins with \"CityJSON\""},
-    Known{kCityJson, kModel, "CityJSON CityJSONExtension", "", ".city.json"},
-    Known{"TopoJSON", kOther, "Topology", kAsGeoJson}};
+    KnownMember{kGeoJson, kLines, kGeoJsonTypes, "", ".geojson"},
+    KnownMember{"a CityJSON feature", kOther, "CityJSONFeature",
+                "give the whole file, which begins with \"CityJSON\""},
+    KnownMember{kCityJson, kModel, "CityJSON CityJSONExtension", "", ".city.json"},
+    KnownMember{"TopoJSON", kOther, "Topology", kAsGeoJson}};
 
 /// Documents by their outermost keys, the first that has all.
 constexpr std::array kDocuments{
-    Known{kCityJson, kModel, "CityObjects", "", ".city.json"},
-    Known{"glTF, a mesh for display", kOther, "asset meshes", kUnread},
-    Known{"glTF, a mesh for display", kOther, "asset scenes", kUnread},
-    Known{"Esri JSON", kOther, "geometryType", kAsGeoJson},
-    Known{"Esri JSON", kOther, "spatialReference", kAsGeoJson},
+    KnownMember{kCityJson, kModel, "CityObjects", "", ".city.json"},
+    KnownMember{"glTF, a mesh for display", kOther, "asset meshes", kUnread},
+    KnownMember{"glTF, a mesh for display", kOther, "asset scenes", kUnread},
+    KnownMember{"Esri JSON", kOther, "geometryType", kAsGeoJson},
+    KnownMember{"Esri JSON", kOther, "spatialReference", kAsGeoJson},
     // the type may stand behind the features, where it is not read
-    Known{kGeoJson, kLines, "features", "", ".geojson"},
-    Known{"an evaluation of lines (evaluation.METHOD.json)", kEvaluation, "patch method origin_m"},
-    Known{"the record of a run (run.json)", kResult, "command versions"},
-    Known{"a gate report", kOther, "passed gates", kUnread},
-    Known{"a comparison of results", kOther, "comparisons", kUnread},
-    Known{"a table of results", kResult, "rows"},
-    Known{"a list of lines to judge", kOther, "lines lidar",
-          "judge them by evaluate with `area`, and pool the results"},
-    Known{"a block file", kBlock, "block"}};
+    KnownMember{kGeoJson, kLines, "features", "", ".geojson"},
+    KnownMember{"an evaluation of lines (evaluation.METHOD.json)", kEvaluation,
+                "patch method origin_m"},
+    KnownMember{"the record of a run (run.json)", kResult, "command versions"},
+    KnownMember{"a gate report", kOther, "passed gates", kUnread},
+    KnownMember{"a comparison of results", kOther, "comparisons", kUnread},
+    KnownMember{"a table of results", kResult, "rows"},
+    KnownMember{"a list of lines to judge", kOther, "lines lidar",
+                "judge them by evaluate with `area`, and pool the results"},
+    KnownMember{"a block file", kBlock, "block"}};
 
 /// Files that users write: the kind of which a file has the most keys, as single keys may be wrong.
 constexpr std::array kSettings{
-    Known{"a patch file", kPatch,
-          "images colmap height_range lidar reference_matches reference_tracks reference_lines"},
-    Known{"a gates file", kGates, "gates"},
-    Known{"a config file", kConfig, "extract match chio reconstruct judge"}};
+    KnownMember{
+        "a patch file", kPatch,
+        "images colmap height_range lidar reference_matches reference_tracks reference_lines"},
+    KnownMember{"a gates file", kGates, "gates"},
+    KnownMember{"a config file", kConfig, "extract match chio reconstruct judge"}};
 
 /// Tables by the names of their columns, the first that has all.
 constexpr std::array kTables{
-    Known{"a CSV of 3D lines", kLines, "x1 y1 z1 x2 y2 z2", "", ".csv"},
-    Known{kWkt, kLines, "wkt", "", ".wkt"},
-    Known{"a table of matches", kMatches, "left_id right_id"},
-    Known{"a table of reference matches", kReferenceMatches, "left_x1_px right_x1_px"},
-    Known{"a table of reference tracks", kReferenceTracks, "edge image x1_px y1_px x2_px y2_px"},
-    Known{"a table of tracks", kResult, "track image segment"},
-    Known{"a table of segments", kSegments, "x1_px y1_px x2_px y2_px"},
-    Known{"a table of unmatched segments", kResult, "left_id reason"},
-    Known{"a table of judged lines", kResult, "patch class status start_distance_m"},
-    Known{"a table of results", kResult, "patch method"},
-    Known{"a table of results", kResult, "patch matcher"}};
+    KnownMember{"a CSV of 3D lines", kLines, "x1 y1 z1 x2 y2 z2", "", ".csv"},
+    KnownMember{kWkt, kLines, "wkt", "", ".wkt"},
+    KnownMember{"a table of matches", kMatches, "left_id right_id"},
+    KnownMember{"a table of reference matches", kReferenceMatches, "left_x1_px right_x1_px"},
+    KnownMember{"a table of reference tracks", kReferenceTracks,
+                "edge image x1_px y1_px x2_px y2_px"},
+    KnownMember{"a table of tracks", kResult, "track image segment"},
+    KnownMember{"a table of segments", kSegments, "x1_px y1_px x2_px y2_px"},
+    KnownMember{"a table of unmatched segments", kResult, "left_id reason"},
+    KnownMember{"a table of judged lines", kResult, "patch class status start_distance_m"},
+    KnownMember{"a table of results", kResult, "patch method"},
+    KnownMember{"a table of results", kResult, "patch matcher"}};
 
-FileKind kind_of(const Known& known) {
+FileKind kind_of(const KnownMember& known) {
   return {.group = known.group,
           .what = known.what,
           .advice = *known.advice != '\0' ? known.advice : info_of(known.group).advice,
@@ -91,8 +94,8 @@ FileKind kind_of(const Known& known) {
 }
 
 /// The first kind all names of which are there; kUnknown if there is none.
-FileKind first_of(std::span<const Known> table, std::span<const std::string> names) {
-  const auto fits = [&](const Known& known) {
+FileKind first_of(std::span<const KnownMember> table, std::span<const std::string> names) {
+  const auto fits = [&](const KnownMember& known) {
     return std::ranges::all_of(words_of(known.names), [&](std::string_view name) {
       return std::ranges::find(names, name) != names.end();
     });
@@ -103,7 +106,7 @@ FileKind first_of(std::span<const Known> table, std::span<const std::string> nam
 
 FileKind kind_of_settings(const TopKeys& keys) {
   std::array<std::ptrdiff_t, kSettings.size()> counts{};
-  std::ranges::transform(kSettings, counts.begin(), [&](const Known& known) {
+  std::ranges::transform(kSettings, counts.begin(), [&](const KnownMember& known) {
     return std::ranges::count_if(words_of(known.names),
                                  [&](std::string_view name) { return keys.has(name); });
   });
@@ -181,7 +184,7 @@ bool is_aside(const TextRow& row) {
 }  // namespace
 
 FileKind kind_of_document(const TopKeys& keys) {
-  const auto of_type = std::ranges::find_if(kDocumentTypes, [&](const Known& known) {
+  const auto of_type = std::ranges::find_if(kDocumentTypes, [&](const KnownMember& known) {
     return std::ranges::count(words_of(known.names), keys.type) > 0;
   });
   if (of_type != kDocumentTypes.end()) return kind_of(*of_type);

@@ -153,7 +153,7 @@ class GeoJsonReader {
     } else if (type == "GeometryCollection") {
       each_of("geometries", [&](const json& element) { collect(element, where, found); });
     } else {
-      found.others.add(type == "Point" ? kinds::kPoint : Kind{type, type});
+      found.others.add(type == "Point" ? kinds::kPoint : LeftOutKind{type, type});
     }
   }
 

@@ -40,7 +40,7 @@ bool has_nan(const Segment3& s) {
   return s.start.array().isNaN().any() || s.end.array().isNaN().any();
 }
 
-const Kind& kind_of_placeless(const Segment3& s) {
+const LeftOutKind& kind_of_placeless(const Segment3& s) {
   if (s.start.array().isNaN().all() && s.end.array().isNaN().all()) return kinds::kNullGeometry;
   const bool has_plan = s.start.head<2>().allFinite() && s.end.head<2>().allFinite();
   return has_plan && has_nan(s) ? kinds::kFlatLine : kinds::kNonFiniteLine;
@@ -90,7 +90,7 @@ void add_coordinate_warnings(LineSet& set) {
     const Segment3& s = line.segment_in_world;
     all_zero = all_zero && s.start.z() == 0.0 && s.end.z() == 0.0;
     if (all_finite(s) || is_left_out(line)) continue;
-    const Kind& kind = kind_of_placeless(s);
+    const LeftOutKind& kind = kind_of_placeless(s);
     placeless.add(kind);
     ++n_placeless;
     if (&kind != &kinds::kNonFiniteLine) ++n_hopeless;

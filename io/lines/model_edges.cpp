@@ -13,8 +13,8 @@
 namespace ridgeline::io {
 namespace {
 
-constexpr Kind kCrowdedEdge{"edge of three roof faces or more",
-                            "edges of three roof faces or more"};
+constexpr LeftOutKind kCrowdedEdge{"edge of three roof faces or more",
+                                   "edges of three roof faces or more"};
 
 /// Appends the edges of the roofs of a building.
 void append_edges(std::span<const Face> faces,

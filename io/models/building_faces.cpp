@@ -15,7 +15,8 @@
 namespace ridgeline::io {
 namespace {
 
-constexpr Kind kOpenReference{"reference to a missing surface", "references to missing surfaces"};
+constexpr LeftOutKind kOpenReference{"reference to a missing surface",
+                                     "references to missing surfaces"};
 
 /// The level of detail that is read of a building, as text.
 std::optional<std::string> lod_of_building(const std::vector<GeometryProperty>& properties,

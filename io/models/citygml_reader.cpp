@@ -22,9 +22,9 @@ namespace {
 
 using citygml::Property;
 
-constexpr Kind kImplicitGeometry{"implicit geometry", "implicit geometries"};
-constexpr Kind kCurveOfBuilding{"building curve", "building curves"};
-constexpr Kind kAddressPoint{"address point", "address points"};
+constexpr LeftOutKind kImplicitGeometry{"implicit geometry", "implicit geometries"};
+constexpr LeftOutKind kCurveOfBuilding{"building curve", "building curves"};
+constexpr LeftOutKind kAddressPoint{"address point", "address points"};
 
 /// What an element is to the reader. The role of an element follows from its name and the role of
 /// its parent.

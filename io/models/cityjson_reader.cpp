@@ -23,9 +23,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr Kind kUnusableFace{"face without three vertices", "faces without three vertices"};
-constexpr Kind kNoSurface{"geometry without surfaces", "geometries without surfaces"};
-constexpr Kind kUnknownTemplate{"unknown geometry template", "unknown geometry templates"};
+constexpr LeftOutKind kUnusableFace{"face without three vertices", "faces without three vertices"};
+constexpr LeftOutKind kNoSurface{"geometry without surfaces", "geometries without surfaces"};
+constexpr LeftOutKind kUnknownTemplate{"unknown geometry template", "unknown geometry templates"};
 
 const json& member(const json& object, const char* name) {
   static const json nothing;
@@ -132,7 +132,7 @@ class ObjectReader {
     for (const auto& [id, object] : objects.items()) {
       const std::string type = text_member(object, "type");
       if (type != "Building" && type != "BuildingPart") {
-        model_.left_out.add(Kind{type, type});
+        model_.left_out.add(LeftOutKind{type, type});
         continue;
       }
       Members& members = buildings[root_of(id, objects)];

@@ -15,9 +15,9 @@
 namespace ridgeline::io {
 namespace {
 
-constexpr Kind kNarrowPolygon{"polygon of fewer than three vertices",
-                              "polygons of fewer than three vertices"};
-constexpr Kind kForeignReference{"reference to another file", "references to other files"};
+constexpr LeftOutKind kNarrowPolygon{"polygon of fewer than three vertices",
+                                     "polygons of fewer than three vertices"};
+constexpr LeftOutKind kForeignReference{"reference to another file", "references to other files"};
 constexpr std::string_view kXlinkSpace = "http://www.w3.org/1999/xlink";
 
 template <std::size_t kN>

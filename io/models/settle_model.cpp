@@ -16,8 +16,8 @@
 namespace ridgeline::io {
 namespace {
 
-constexpr Kind kFlatFace{"face without an area", "faces without an area"};
-constexpr Kind kRepeatedFace{"repeated face", "repeated faces"};
+constexpr LeftOutKind kFlatFace{"face without an area", "faces without an area"};
+constexpr LeftOutKind kRepeatedFace{"repeated face", "repeated faces"};
 
 void make_ids_unique(std::vector<Building>& buildings, std::vector<std::string>& warnings) {
   std::map<std::string, int> n_taken;  // how often an id was asked for

@@ -5,7 +5,7 @@
 
 namespace ridgeline::io {
 
-void KindCounts::add(const Kind& kind, std::size_t n) {
+void KindCounts::add(const LeftOutKind& kind, std::size_t n) {
   if (n == 0) return;
   KindCount& count = counts_[std::string(kind.several)];
   count.one = kind.one;

@@ -9,27 +9,28 @@
 namespace ridgeline::io {
 
 /// A kind of what a line file holds beside 3D lines, as messages name it.
-struct Kind {
+struct LeftOutKind {
   std::string_view one, several;
 };
 
 namespace kinds {
-inline constexpr Kind kPoint{"point", "points"};
-inline constexpr Kind kFlatPolygon{"polygon without heights", "polygons without heights"};
-inline constexpr Kind kPolygon{"polygon with heights", "polygons with heights"};
-inline constexpr Kind kFace{"face", "faces"};
-inline constexpr Kind kVertex{"vertex", "vertices"};
-inline constexpr Kind kTableRow{"row without geometry", "rows without geometry"};
-inline constexpr Kind kHiddenEntity{"entity of hidden layers", "entities of hidden layers"};
-inline constexpr Kind kFlatLine{"line without z", "lines without z"};
-inline constexpr Kind kNullGeometry{"null geometry", "null geometries"};
-inline constexpr Kind kNonFiniteLine{"line with NaN or infinity", "lines with NaN or infinity"};
+inline constexpr LeftOutKind kPoint{"point", "points"};
+inline constexpr LeftOutKind kFlatPolygon{"polygon without heights", "polygons without heights"};
+inline constexpr LeftOutKind kPolygon{"polygon with heights", "polygons with heights"};
+inline constexpr LeftOutKind kFace{"face", "faces"};
+inline constexpr LeftOutKind kVertex{"vertex", "vertices"};
+inline constexpr LeftOutKind kTableRow{"row without geometry", "rows without geometry"};
+inline constexpr LeftOutKind kHiddenEntity{"entity of hidden layers", "entities of hidden layers"};
+inline constexpr LeftOutKind kFlatLine{"line without z", "lines without z"};
+inline constexpr LeftOutKind kNullGeometry{"null geometry", "null geometries"};
+inline constexpr LeftOutKind kNonFiniteLine{"line with NaN or infinity",
+                                            "lines with NaN or infinity"};
 }  // namespace kinds
 
 /// Counts things by kind.
 class KindCounts {
  public:
-  void add(const Kind& kind, std::size_t n = 1);
+  void add(const LeftOutKind& kind, std::size_t n = 1);
   void add(const KindCounts& others);
   [[nodiscard]] bool empty() const { return counts_.empty(); }
 
@@ -41,7 +42,7 @@ class KindCounts {
     std::string one;
     std::size_t n = 0;
   };
-  std::map<std::string, KindCount> counts_;  ///< the key is Kind::several
+  std::map<std::string, KindCount> counts_;  ///< the key is LeftOutKind::several
 };
 
 }  // namespace ridgeline::io

@@ -55,13 +55,13 @@ Segment3 SearchedViews::object_segment(const Observation& s,
           transfer.object_point(segment.end, heights_m[1])};
 }
 
-SearchedViews::Matching SearchedViews::appearance(const Observation& a,
-                                                  const Observation& b) const {
+SearchedViews::MatchState SearchedViews::match_state(const Observation& a,
+                                                     const Observation& b) const {
   const int matched_with_a = views_[a.view].matched[b.view][static_cast<std::size_t>(a.segment)];
   const int matched_with_b = views_[b.view].matched[a.view][static_cast<std::size_t>(b.segment)];
-  if (matched_with_a == b.segment || matched_with_b == a.segment) return Matching::kMatched;
-  return matched_with_a >= 0 || matched_with_b >= 0 ? Matching::kMatchedElsewhere
-                                                    : Matching::kUnknown;
+  if (matched_with_a == b.segment || matched_with_b == a.segment) return MatchState::kMatched;
+  return matched_with_a >= 0 || matched_with_b >= 0 ? MatchState::kMatchedElsewhere
+                                                    : MatchState::kUnknown;
 }
 
 }  // namespace ridgeline::reconstruct

@@ -41,10 +41,10 @@ class SearchedViews {
   [[nodiscard]] Segment3 object_segment(const Observation& s,
                                         const Eigen::Vector2d& heights_m) const;
 
-  enum class Matching { kUnknown, kMatched, kMatchedElsewhere };
+  enum class MatchState { kUnknown, kMatched, kMatchedElsewhere };
   /// Whether two segments were matched by their appearance, or one of them with another segment of
   /// that view.
-  [[nodiscard]] Matching appearance(const Observation& a, const Observation& b) const;
+  [[nodiscard]] MatchState match_state(const Observation& a, const Observation& b) const;
 
  private:
   struct SearchedView {

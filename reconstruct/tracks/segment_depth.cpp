@@ -72,10 +72,10 @@ class Search {
   };
 
   [[nodiscard]] double log_appearance(const Observation& s) const {
-    switch (views_.appearance(reference_, s)) {
-      case SearchedViews::Matching::kMatched:
+    switch (views_.match_state(reference_, s)) {
+      case SearchedViews::MatchState::kMatched:
         return std::log(kAppearanceOdds);
-      case SearchedViews::Matching::kMatchedElsewhere:
+      case SearchedViews::MatchState::kMatchedElsewhere:
         return -std::log(kAppearanceOdds);
       default:
         return 0.0;

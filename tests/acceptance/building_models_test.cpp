@@ -45,7 +45,7 @@ ModelSurvey survey_of(std::uint64_t seed, const ScanCase& scan) {
   simulate::VillageOptions village;
   village.seed = seed;
   if (!scan.trees) village.trees_per_lot = 0.0;
-  const simulate::Scene scene = simulate::make_village(village);
+  const simulate::SyntheticScene scene = simulate::make_village(village);
   simulate::AlsOptions als;
   als.seed = 1000 + seed;
   als.half_scan_angle_deg = scan.half_scan_angle_deg;

@@ -72,7 +72,7 @@ inline simulate::VillageOptions hard_village(std::uint64_t seed) {
 inline HardSurvey survey_of_village(const simulate::VillageOptions& options,
                                     double density_per_m2) {
   constexpr std::uint8_t kLowNoise = 7;
-  const simulate::Scene scene = simulate::make_village(options);
+  const simulate::SyntheticScene scene = simulate::make_village(options);
   simulate::AlsOptions als;
   als.seed = 1000 + options.seed;
   als.density_per_m2 = density_per_m2;

@@ -17,7 +17,7 @@ namespace ridgeline::test {
 
 /// A village with its laser cloud, free of the outliers that read_cloud() drops by their class.
 struct SimulatedSurvey {
-  simulate::Scene scene;
+  simulate::SyntheticScene scene;
   std::vector<Eigen::Vector3d> points;
   std::vector<simulate::TruthLine> truth;
 };

@@ -31,7 +31,7 @@ constexpr std::array<double, 2> kHeights_m{-5.0, 20.0};
 class TwoViews : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    scene_ = new simulate::Scene(test::gabled_house(35.0, 20.0));
+    scene_ = new simulate::SyntheticScene(test::gabled_house(35.0, 20.0));
     const double ground_m = scene_->frame.origin_m.z();
     oriented_ = new Scene{{}, {ground_m + kHeights_m[0], ground_m + kHeights_m[1]}};
     const auto cameras = simulate::aerial_views(*scene_, {});
@@ -62,10 +62,10 @@ class TwoViews : public testing::Test {
     return nearest_m;
   }
 
-  static simulate::Scene* scene_;
+  static simulate::SyntheticScene* scene_;
   static Scene* oriented_;
 };
-simulate::Scene* TwoViews::scene_ = nullptr;
+simulate::SyntheticScene* TwoViews::scene_ = nullptr;
 Scene* TwoViews::oriented_ = nullptr;
 
 std::vector<double> coordinates(std::span<const ReconstructedLine> lines) {

@@ -21,11 +21,11 @@ simulate::HouseShape shape_with(double pitch_deg) {
           .wall_height_m = HouseScene::kWallHeightM};
 }
 
-simulate::Scene scene_of(std::vector<simulate::RoofPart> parts,
-                         simulate::RoofType type,
-                         double azimuth_deg) {
+simulate::SyntheticScene scene_of(std::vector<simulate::RoofPart> parts,
+                                  simulate::RoofType type,
+                                  double azimuth_deg) {
   constexpr double kHalfM = 20.0;
-  simulate::Scene scene;
+  simulate::SyntheticScene scene;
   scene.extent_m = {2.0 * kHalfM, 2.0 * kHalfM};
   simulate::Terrain terrain(0.0, scene);
   const simulate::TerrainRow ground = terrain.add_row(0.0, kHalfM, {});
@@ -46,21 +46,21 @@ simulate::Scene scene_of(std::vector<simulate::RoofPart> parts,
 
 }  // namespace
 
-simulate::Scene gabled_house(double pitch_deg, double azimuth_deg) {
+simulate::SyntheticScene gabled_house(double pitch_deg, double azimuth_deg) {
   return scene_of(simulate::gabled(shape_with(pitch_deg)), simulate::RoofType::kGabled,
                   azimuth_deg);
 }
 
-simulate::Scene hipped_house(double pitch_deg, double azimuth_deg) {
+simulate::SyntheticScene hipped_house(double pitch_deg, double azimuth_deg) {
   return scene_of(simulate::hipped(shape_with(pitch_deg)), simulate::RoofType::kHipped,
                   azimuth_deg);
 }
 
-simulate::Scene flat_house(double azimuth_deg) {
+simulate::SyntheticScene flat_house(double azimuth_deg) {
   return scene_of(simulate::flat(shape_with(0.0)), simulate::RoofType::kFlat, azimuth_deg);
 }
 
-TopSurface::TopSurface(const simulate::Scene& scene) {
+TopSurface::TopSurface(const simulate::SyntheticScene& scene) {
   for (const simulate::ScenePlane& plane : scene.planes) {
     simulate::ConvexPolygon outline;
     for (const Eigen::Vector3d& corner : plane.outline) outline.emplace_back(corner.head<2>());
@@ -80,7 +80,7 @@ SurfaceSample TopSurface::at(const Eigen::Vector2d& x) const {
   return top;
 }
 
-std::vector<SurfaceSample> sample_grid(const simulate::Scene& scene, double spacing_m) {
+std::vector<SurfaceSample> sample_grid(const simulate::SyntheticScene& scene, double spacing_m) {
   const TopSurface surface(scene);
   std::vector<SurfaceSample> samples;
   const Eigen::Vector2i count = (scene.extent_m / spacing_m).array().round().cast<int>();
@@ -94,7 +94,8 @@ std::vector<SurfaceSample> sample_grid(const simulate::Scene& scene, double spac
   return samples;
 }
 
-io::PointCloud cloud_of(const simulate::Scene& scene, const std::vector<SurfaceSample>& samples) {
+io::PointCloud cloud_of(const simulate::SyntheticScene& scene,
+                        const std::vector<SurfaceSample>& samples) {
   io::PointCloud cloud;
   cloud.frame = scene.frame;
   cloud.crs = scene.crs;

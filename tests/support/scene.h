@@ -20,9 +20,9 @@ struct HouseScene {
   static constexpr double kEaveOverhangM = 0.5;
   static constexpr double kVergeOverhangM = 0.3;
 };
-simulate::Scene gabled_house(double pitch_deg, double azimuth_deg = 0.0);
-simulate::Scene hipped_house(double pitch_deg, double azimuth_deg = 0.0);
-simulate::Scene flat_house(double azimuth_deg = 0.0);
+simulate::SyntheticScene gabled_house(double pitch_deg, double azimuth_deg = 0.0);
+simulate::SyntheticScene hipped_house(double pitch_deg, double azimuth_deg = 0.0);
+simulate::SyntheticScene flat_house(double azimuth_deg = 0.0);
 
 /// A point of the top surface and the plane it lies on.
 struct SurfaceSample {
@@ -33,7 +33,7 @@ struct SurfaceSample {
 /// Finds the top surface of a scene from its planes alone, without ray casting.
 class TopSurface {
  public:
-  explicit TopSurface(const simulate::Scene& scene);
+  explicit TopSurface(const simulate::SyntheticScene& scene);
   /// The uppermost plane over a plan position; plane_id is kNone outside of all planes.
   [[nodiscard]] SurfaceSample at(const Eigen::Vector2d& x) const;
 
@@ -47,9 +47,10 @@ class TopSurface {
 };
 
 /// Noise-free points of the top surface on a square grid over the extent.
-std::vector<SurfaceSample> sample_grid(const simulate::Scene& scene, double spacing_m);
+std::vector<SurfaceSample> sample_grid(const simulate::SyntheticScene& scene, double spacing_m);
 
 /// Samples as a cloud in the frame of the scene: class 2 on ground, 6 on roofs, one return each.
-io::PointCloud cloud_of(const simulate::Scene& scene, const std::vector<SurfaceSample>& samples);
+io::PointCloud cloud_of(const simulate::SyntheticScene& scene,
+                        const std::vector<SurfaceSample>& samples);
 
 }  // namespace ridgeline::test

@@ -26,7 +26,7 @@ bool equal_bytes(const io::PointCloud& a, const io::PointCloud& b) {
              0;
 }
 
-double last_returns_per_m2(const io::PointCloud& cloud, const Scene& scene) {
+double last_returns_per_m2(const io::PointCloud& cloud, const SyntheticScene& scene) {
   const auto count = std::count_if(cloud.points.begin(), cloud.points.end(), [](const auto& p) {
     return p.return_number == p.number_of_returns;
   });
@@ -42,7 +42,7 @@ AlsOptions noise_free() {
 }
 
 TEST(ScanAls, EqualSeedsGiveEqualBytesForAnyNumberOfThreads) {
-  const Scene scene = make_village({});
+  const SyntheticScene scene = make_village({});
   AlsOptions options;
   const io::PointCloud two = scan_als(scene, options);
   ASSERT_GT(two.points.size(), 50000U);
@@ -55,7 +55,7 @@ TEST(ScanAls, EqualSeedsGiveEqualBytesForAnyNumberOfThreads) {
 }
 
 TEST(ScanAls, HoldsTheDensity) {
-  const Scene scene = make_village({});
+  const SyntheticScene scene = make_village({});
   for (const double density : {2.0, 5.0, 20.0}) {
     AlsOptions options;
     options.density_per_m2 = density;
@@ -64,7 +64,7 @@ TEST(ScanAls, HoldsTheDensity) {
 }
 
 TEST(ScanAls, HoldsTheDensityWithManyLowStrips) {
-  const Scene scene = make_village({});
+  const SyntheticScene scene = make_village({});
   AlsOptions options;
   options.height_above_ground_m = 100.0;
   options.strip_overlap = 0.5;
@@ -78,7 +78,7 @@ TEST(ScanAls, HoldsTheDensityWithManyLowStrips) {
 }
 
 TEST(ScanAls, WithoutNoiseEveryReturnLiesOnTheSurface) {
-  const Scene scene = test::gabled_house(40.0, 20.0);
+  const SyntheticScene scene = test::gabled_house(40.0, 20.0);
   const test::TopSurface top(scene);
   std::vector<PlanFunction> sides = half_planes(scene.buildings.front().footprint.front());
   const auto fascia = half_planes(scene.buildings.front().roof_footprint.front());
@@ -104,7 +104,7 @@ TEST(ScanAls, WithoutNoiseEveryReturnLiesOnTheSurface) {
 
 TEST(ScanAls, NoisePerpendicularToAnyPlaneIsTheRangeNoise) {
   constexpr double kSigmaM = 0.034;
-  const Scene scene = test::gabled_house(45.0);
+  const SyntheticScene scene = test::gabled_house(45.0);
   const test::TopSurface top(scene);
   AlsOptions options;
   options.density_per_m2 = 40.0;
@@ -127,7 +127,7 @@ TEST(ScanAls, NoisePerpendicularToAnyPlaneIsTheRangeNoise) {
 }
 
 TEST(ScanAls, NoGroundBelowARoofFartherThanTheBeamReaches) {
-  const Scene scene = test::gabled_house(30.0);
+  const SyntheticScene scene = test::gabled_house(30.0);
   AlsOptions options = noise_free();
   options.density_per_m2 = 20.0;
   const ConvexPolygon walls = scene.buildings.front().footprint.front();
@@ -142,7 +142,7 @@ TEST(ScanAls, NoGroundBelowARoofFartherThanTheBeamReaches) {
 }
 
 TEST(ScanAls, TreesGiveSeveralReturnsInOrder) {
-  const Scene scene = make_village({});
+  const SyntheticScene scene = make_village({});
   const io::PointCloud cloud = scan_als(scene, AlsOptions{});
   int first_of_many = 0;
   int ground_below_leaves = 0;
@@ -169,7 +169,7 @@ TEST(ScanAls, OneReturnAtMostWhereSoAsked) {
 }
 
 TEST(AlsScanner, AWindowHoldsTheSameReturnsAsTheWholeScan) {
-  const Scene scene = make_village({});
+  const SyntheticScene scene = make_village({});
   AlsOptions options;
   options.outlier_share = 0.01;  // they reach farthest from their pulse
   const io::PointCloud whole = scan_als(scene, options);
@@ -200,7 +200,7 @@ TEST(ScanAls, OutliersAndWithheldReturnsHaveTheirShares) {
 }
 
 TEST(ScanAls, StripOffsetsShiftEachStripAsAWhole) {
-  const Scene scene = test::flat_house();
+  const SyntheticScene scene = test::flat_house();
   AlsOptions options = noise_free();
   options.strip_offset_sigma_m = 0.2;
   std::map<int, std::vector<double>> ground;
@@ -216,7 +216,7 @@ TEST(ScanAls, StripOffsetsShiftEachStripAsAWhole) {
 }
 
 TEST(ScanAls, KeepsFrameAndCrsOfTheScene) {
-  const Scene scene = make_village({});
+  const SyntheticScene scene = make_village({});
   const io::PointCloud cloud = scan_als(scene, {});
   EXPECT_EQ(cloud.frame.origin_m, scene.frame.origin_m);
   EXPECT_EQ(cloud.crs.definition, scene.crs.definition);
@@ -224,7 +224,7 @@ TEST(ScanAls, KeepsFrameAndCrsOfTheScene) {
 }
 
 TEST(ScanAls, RejectsOptionsOutsideTheirRange) {
-  const Scene scene = test::flat_house();
+  const SyntheticScene scene = test::flat_house();
   const auto rejects = [&](auto change) {
     AlsOptions options;
     change(options);

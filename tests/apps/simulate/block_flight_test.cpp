@@ -28,8 +28,8 @@ FlightOptions exact_flight() {
 }
 
 /// A plan without a village on ground that rises to the east.
-Scene bare_plan(double slope) {
-  Scene scene;
+SyntheticScene bare_plan(double slope) {
+  SyntheticScene scene;
   scene.extent_m = {100.0, 80.0};
   scene.mean_terrain.gradient = {slope, 0.0};
   scene.mean_terrain.offset = -0.5 * slope * scene.extent_m.x();
@@ -97,7 +97,7 @@ TEST(BlockExtent, OfAnyFlightHoldsAVillageThatAllIsShownTwice) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
     flight.seed = village.seed = seed;
-    const Scene scene = make_village(village);
+    const SyntheticScene scene = make_village(village);
     const std::vector<AerialView> views =
         aerial_views(scene, flight, block_views({}, flight, scene));
     EXPECT_NO_THROW(check_shown_twice(scene, views, {Eigen::Vector2d::Zero(), scene.extent_m}));
@@ -136,7 +136,7 @@ TEST(BlockExtent, RefusesABlockThatCannotBe) {
 
 TEST(CheckShownTwice, NamesAPlaceThatOneFrameShows) {
   const FlightOptions flight = exact_flight();
-  const Scene scene = bare_plan(0.0);
+  const SyntheticScene scene = bare_plan(0.0);
   const std::vector<AerialView> views = aerial_views(scene, flight, block_views({}, flight, scene));
   // the middle of the block is that of the plan, at (50, 40) m; 160 x 204 m are shown twice, to
   // half a pixel
@@ -156,7 +156,7 @@ TEST(CheckShownTwice, NamesAPlaceThatOneFrameShows) {
 
 TEST(CheckShownTwice, LooksAtTheHighestObjectsToo) {
   const FlightOptions flight = exact_flight();
-  Scene scene = bare_plan(0.0);
+  SyntheticScene scene = bare_plan(0.0);
   const std::vector<AerialView> views = aerial_views(scene, flight, block_views({}, flight, scene));
   const Eigen::AlignedBox2d area_m = plan_area_m(-25.0, -55.0, 125.0, 135.0);
   EXPECT_NO_THROW(check_shown_twice(scene, views, area_m));

@@ -15,7 +15,7 @@ namespace ridgeline::simulate {
 namespace {
 
 /// Six frames of 90 x 80 m, of which some show the house of the scene and some do not.
-std::vector<AerialView> frames_around(const Scene& scene) {
+std::vector<AerialView> frames_around(const SyntheticScene& scene) {
   FlightOptions flight;
   flight.frame_px = Eigen::Vector2i(900, 800);
   flight.focal_length_px = 2000.0;
@@ -26,7 +26,7 @@ std::vector<AerialView> frames_around(const Scene& scene) {
 }
 
 TEST(SeenInBlock, CountsTheViewsThatSeeHalfOfALineAsWithoutALookAtTheFrames) {
-  const Scene scene = test::gabled_house(35.0, 20.0);
+  const SyntheticScene scene = test::gabled_house(35.0, 20.0);
   const std::vector<AerialView> frames = frames_around(scene);
   const io::LineSet truth = seen_in_block(scene, frames, true_lines(scene));
   const auto shares = visible_shares(scene, SurfaceOracle(scene, frames));
@@ -50,7 +50,7 @@ TEST(SeenInBlock, CountsTheViewsThatSeeHalfOfALineAsWithoutALookAtTheFrames) {
 }
 
 TEST(SeenInBlock, ClassesALineByTheViewsThatSeeIt) {
-  const Scene scene = test::gabled_house(35.0, 0.0);
+  const SyntheticScene scene = test::gabled_house(35.0, 0.0);
   std::vector<AerialView> frames = frames_around(scene);
   std::erase_if(frames, [](const AerialView& frame) { return frame.id.starts_with("02"); });
   for (const io::Line& line : seen_in_block(scene, frames, true_lines(scene)).lines) {
@@ -60,7 +60,7 @@ TEST(SeenInBlock, ClassesALineByTheViewsThatSeeIt) {
 }
 
 TEST(SeenInBlock, KeepsTheClassOfALineThatOneViewSees) {
-  const Scene scene = test::gabled_house(35.0, 0.0);
+  const SyntheticScene scene = test::gabled_house(35.0, 0.0);
   const std::vector<AerialView> frames = frames_around(scene);
   io::LineSet truth = true_lines(scene);
   for (io::Line& line : truth.lines) line.line_class = "as before";
@@ -72,7 +72,7 @@ TEST(SeenInBlock, KeepsTheClassOfALineThatOneViewSees) {
 }
 
 TEST(SeenInBlock, RefusesOneViewAndLinesOfAnotherScene) {
-  const Scene scene = test::gabled_house(35.0, 0.0);
+  const SyntheticScene scene = test::gabled_house(35.0, 0.0);
   const std::vector<AerialView> frames = frames_around(scene);
   EXPECT_THROW((void)seen_in_block(scene, std::vector{frames[0]}, true_lines(scene)),
                std::invalid_argument);

@@ -16,7 +16,7 @@
 namespace ridgeline::simulate {
 namespace {
 
-Scene cluttered_village(std::uint64_t seed) {
+SyntheticScene cluttered_village(std::uint64_t seed) {
   VillageOptions options;
   options.seed = seed;
   options.terrace_step_m = 1.0;
@@ -24,7 +24,7 @@ Scene cluttered_village(std::uint64_t seed) {
   return make_village(options);
 }
 
-std::vector<SceneLine> lines_of(const Scene& scene, LineKind kind) {
+std::vector<SceneLine> lines_of(const SyntheticScene& scene, LineKind kind) {
   std::vector<SceneLine> lines;
   std::copy_if(scene.lines.begin(), scene.lines.end(), std::back_inserter(lines),
                [&](const SceneLine& line) { return line.kind == kind; });
@@ -61,7 +61,7 @@ TEST(Clutter, IsNotThereUnlessAskedFor) {
     VillageOptions options;
     options.seed = before.seed;
     options.terrace_step_m = 1.0;
-    const Scene scene = make_village(options);
+    const SyntheticScene scene = make_village(options);
     double sum_of_mesh = 0.0, sum_of_lines = 0.0, sum_of_points = 0.0;
     for (const Eigen::Vector3d& x : scene.mesh.vertices) sum_of_mesh += x.sum();
     for (const SceneLine& line : scene.lines) {
@@ -105,7 +105,7 @@ bool is_foot_of_wall(const RayScene& rays, const Segment3& line, double t) {
 
 TEST(Clutter, FeetAreWhereWallsOfTheMeshMeetASurface) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    const Scene scene = cluttered_village(seed);
+    const SyntheticScene scene = cluttered_village(seed);
     const RayScene rays(scene.mesh);
     const std::vector<SceneLine> feet = lines_of(scene, LineKind::kFoot);
     ASSERT_GT(feet.size(), 80U);
@@ -145,7 +145,7 @@ TEST(Clutter, NoFootIsWithinAHouse) {
   options.annex_share = 1.0;
   options.trees_per_lot = 0.0;
   options.with_feet = true;
-  const Scene scene = make_village(options);
+  const SyntheticScene scene = make_village(options);
   const RayScene rays(scene.mesh);
   for (const SceneLine& foot : lines_of(scene, LineKind::kFoot)) {
     EXPECT_TRUE(is_outside(rays, foot.segment))
@@ -155,7 +155,7 @@ TEST(Clutter, NoFootIsWithinAHouse) {
 
 TEST(Clutter, FeetLieOnGroundsAndOnLowerRoofs) {
   int on_ground = 0, on_roofs = 0;
-  const Scene scene = cluttered_village(1);
+  const SyntheticScene scene = cluttered_village(1);
   for (const SceneLine& foot : lines_of(scene, LineKind::kFoot)) {
     const PlaneKind kind = scene.planes[static_cast<std::size_t>(foot.plane_ids.at(0))].kind;
     ++(kind == PlaneKind::kGround ? on_ground : on_roofs);
@@ -168,7 +168,7 @@ TEST(Clutter, EdgesOfObjectsAndWallsLieOnTheMesh) {
   constexpr double kInside_m = 0.01;
   constexpr double kHeightTol_m = 1e-3;  // of a top that is inclined
   constexpr double kAbove_m = 0.5;
-  const Scene scene = cluttered_village(2);
+  const SyntheticScene scene = cluttered_village(2);
   const RayScene rays(scene.mesh);
   for (const LineKind kind : {LineKind::kObject, LineKind::kWallTop}) {
     const std::vector<SceneLine> lines = lines_of(scene, kind);
@@ -187,7 +187,7 @@ TEST(Clutter, EdgesOfObjectsAndWallsLieOnTheMesh) {
 }
 
 TEST(Clutter, AnObjectHasNoTrueDistance) {
-  const Scene scene = cluttered_village(1);
+  const SyntheticScene scene = cluttered_village(1);
   for (std::size_t i = 0; i < scene.lines.size(); ++i) {
     if (scene.lines[i].kind != LineKind::kObject) continue;
     EXPECT_THROW((void)true_mean_distance(scene, scene.lines[i].segment, static_cast<int>(i)),
@@ -205,7 +205,7 @@ TEST(Clutter, HasLinesOfObjectsIfTheyAreAskedFor) {
   EXPECT_TRUE(lines_of(make_village(options), LineKind::kObject).empty());
 }
 
-std::size_t parts_of_all(const Scene& scene) {
+std::size_t parts_of_all(const SyntheticScene& scene) {
   std::size_t n = 0;
   for (const SceneBuilding& building : scene.buildings) n += building.footprint.size();
   return n;
@@ -216,7 +216,7 @@ TEST(Clutter, AnnexesAreLowerThanTheirHouses) {
   options.roof_types = {RoofType::kGabled, RoofType::kFlat};
   const std::size_t parts_before = parts_of_all(make_village(options));
   options.annex_share = 1.0;
-  const Scene scene = make_village(options);
+  const SyntheticScene scene = make_village(options);
   EXPECT_GT(parts_of_all(scene), parts_before + scene.buildings.size() / 2);
   for (const SceneBuilding& building : scene.buildings) {
     double lowest_eave_m = 1e9, ridge_m = -1e9;
@@ -235,7 +235,7 @@ TEST(Clutter, DormersHaveSmallFaces) {
   options.min_pitch_deg = 35.0;
   const std::size_t planes_before = make_village(options).planes.size();
   options.dormer_share = 1.0;
-  const Scene scene = make_village(options);
+  const SyntheticScene scene = make_village(options);
   EXPECT_GT(scene.planes.size(), planes_before + scene.buildings.size());
   int small_faces = 0;
   for (const ScenePlane& plane : scene.planes) {

@@ -70,7 +70,7 @@ TEST(EdgeTracks, ShowTheEavesOfAFlatRoofWhereTheyAreInAllViews) {
 TEST(ShownEdges, LeaveOutTheViewsFromWhichAnEdgeIsHidden) {
   constexpr double kTolPx = 3.0;  // the eaves hide some decimetres near the corners
   constexpr double kElsewherePx = 20.0;
-  const Scene scene = test::flat_house();
+  const SyntheticScene scene = test::flat_house();
   const std::vector<AerialView> views = aerial_views(scene, flight_of("oblique:4"));
   const std::vector<ShownEdge> edges = shown_edges(scene, SurfaceOracle(scene, views));
   const Segment3 south_foot{{14.0, 16.0, 0.0}, {26.0, 16.0, 0.0}};

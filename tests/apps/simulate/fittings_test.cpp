@@ -13,8 +13,8 @@ namespace {
 constexpr double kPitchDeg = 35.0;
 
 TEST(AddFittings, LeavesAFaceThatOthersBuryBare) {
-  Scene scene = test::gabled_house(kPitchDeg);
-  Scene with_buried_face = scene;
+  SyntheticScene scene = test::gabled_house(kPitchDeg);
+  SyntheticScene with_buried_face = scene;
   ScenePlane buried = scene.planes.back();
   ASSERT_EQ(buried.kind, PlaneKind::kRoof);
   buried.id = static_cast<int>(scene.planes.size());

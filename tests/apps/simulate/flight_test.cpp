@@ -16,7 +16,7 @@ namespace ridgeline::simulate {
 namespace {
 
 TEST(AerialViews, ShowsThePlanWithItsMarginAndLittleMore) {
-  const Scene scene = test::gabled_house(35.0);
+  const SyntheticScene scene = test::gabled_house(35.0);
   FlightOptions options;
   options.seed = 4;
   for (const AerialView& view : aerial_views(scene, options)) {
@@ -37,7 +37,7 @@ TEST(AerialViews, ShowsThePlanWithItsMarginAndLittleMore) {
 }
 
 TEST(AerialViews, HasTheGroundSamplingDistanceAndBaseOfTheBlock) {
-  const Scene scene = test::flat_house();
+  const SyntheticScene scene = test::flat_house();
   FlightOptions options;
   options.attitude_sigma_deg = 0.0;
   options.position_sigma_m = 0.0;
@@ -51,7 +51,7 @@ TEST(AerialViews, HasTheGroundSamplingDistanceAndBaseOfTheBlock) {
 
 TEST(AerialView, RayOfAPixelRunsThroughThePointThatItShows) {
   constexpr double kTolM = 1e-9;
-  const Scene scene = test::hipped_house(30.0);
+  const SyntheticScene scene = test::hipped_house(30.0);
   const AerialView view = aerial_views(scene, {}).front();
   const Eigen::Vector3d x(12.0, 31.0, 4.5);
   const Eigen::Vector3d direction = view.ray(project(view.image_from_local, x));
@@ -62,7 +62,7 @@ TEST(AerialView, RayOfAPixelRunsThroughThePointThatItShows) {
 }
 
 TEST(AerialViews, DependsOnTheSeedAlone) {
-  const Scene scene = test::flat_house();
+  const SyntheticScene scene = test::flat_house();
   FlightOptions options;
   options.seed = 7;
   const auto first = aerial_views(scene, options);
@@ -79,7 +79,7 @@ TEST(AerialViews, RefusesAnOptionOutsideItsRange) {
 
 TEST(AerialViews, AllShowTheMiddleOfThePlanInTheMiddleOfTheImage) {
   constexpr double kTolPx = 60.0;  // position and attitude have errors, tilted views a nearer side
-  const Scene scene = test::gabled_house(35.0);
+  const SyntheticScene scene = test::gabled_house(35.0);
   FlightOptions options;
   options.groups = {
       {ViewGroupKind::kStrip, 3}, {ViewGroupKind::kCross, 2}, {ViewGroupKind::kOblique, 4}};
@@ -92,7 +92,7 @@ TEST(AerialViews, AllShowTheMiddleOfThePlanInTheMiddleOfTheImage) {
 }
 
 TEST(AerialViews, ThoseOfAStripAlongYHaveNorthOnTheRight) {
-  const Scene scene = test::flat_house();
+  const SyntheticScene scene = test::flat_house();
   FlightOptions options;
   options.attitude_sigma_deg = options.position_sigma_m = 0.0;
   options.groups = {{ViewGroupKind::kCross, 2}};
@@ -105,7 +105,7 @@ TEST(AerialViews, ThoseOfAStripAlongYHaveNorthOnTheRight) {
 }
 
 TEST(AerialViews, ObliqueOnesHaveTheFarSideOfThePlanOnTop) {
-  const Scene scene = test::flat_house();
+  const SyntheticScene scene = test::flat_house();
   FlightOptions options;
   options.attitude_sigma_deg = options.position_sigma_m = 0.0;
   options.groups = {{ViewGroupKind::kOblique, 4}};
@@ -121,7 +121,7 @@ TEST(AerialViews, ObliqueOnesHaveTheFarSideOfThePlanOnTop) {
 }
 
 TEST(AerialViews, OfALongerFlightHaveErrorsOfTheirOwn) {
-  const Scene scene = test::flat_house();
+  const SyntheticScene scene = test::flat_house();
   FlightOptions options;
   options.base_to_height = 0.02;
   options.groups = {{ViewGroupKind::kStrip, 3}};
@@ -132,7 +132,7 @@ TEST(AerialViews, OfALongerFlightHaveErrorsOfTheirOwn) {
 }
 
 TEST(AerialViews, RefusesAPlanThatReachesBehindATiltedView) {
-  Scene scene = test::flat_house();
+  SyntheticScene scene = test::flat_house();
   scene.extent_m = {600.0, 600.0};
   FlightOptions options;
   options.height_above_ground_m = 100.0;
@@ -157,7 +157,7 @@ FlightOptions frame_flight(int columns, int rows) {
 }
 
 TEST(AerialViews, FramesAreOfOneCameraWithThePrincipalPointInTheMiddle) {
-  const Scene scene = test::flat_house();
+  const SyntheticScene scene = test::flat_house();
   const std::vector<AerialView> views = aerial_views(scene, frame_flight(7680, 13824));
   ASSERT_EQ(views.size(), 2U);
   for (const AerialView& view : views) {
@@ -172,7 +172,7 @@ TEST(AerialViews, FramesAreOfOneCameraWithThePrincipalPointInTheMiddle) {
 
 TEST(AerialViews, InteriorAndExteriorMakeTheMatrixOfAnyImage) {
   constexpr double kTolPx = 1e-6;  // map coordinates take 7 digits of 16
-  const Scene scene = test::flat_house();
+  const SyntheticScene scene = test::flat_house();
   for (const FlightOptions& options : {FlightOptions(), frame_flight(7680, 13824)}) {
     for (const AerialView& view : aerial_views(scene, options)) {
       const Eigen::Vector3d x = scene.frame.world_from_local(Eigen::Vector3d(12.0, 31.0, 4.5));
@@ -183,7 +183,7 @@ TEST(AerialViews, InteriorAndExteriorMakeTheMatrixOfAnyImage) {
 }
 
 TEST(AerialViews, OfAFrameKnowWhereTheVillageIs) {
-  const Scene scene = test::gabled_house(35.0);
+  const SyntheticScene scene = test::gabled_house(35.0);
   for (const AerialView& view : aerial_views(scene, frame_flight(7680, 13824))) {
     Eigen::AlignedBox2d shown;
     for (const Eigen::Vector3d& x : scene.mesh.vertices) {
@@ -235,7 +235,7 @@ TEST(HeightRange, HoldsTheSceneInWholeMetresAndIsFiftyWide) {
 }
 
 TEST(AerialViews, RefusesImagesThatFillTheMemory) {
-  Scene scene = test::flat_house();
+  SyntheticScene scene = test::flat_house();
   FlightOptions options;
   scene.extent_m = {1200.0, 1200.0};
   EXPECT_NO_THROW((void)aerial_views(scene, options));
@@ -247,13 +247,13 @@ TEST(AerialViews, RefusesImagesThatFillTheMemory) {
 }
 
 TEST(NominalPair, ClassesTheLinesOfATownTooLargeForImages) {
-  Scene scene = test::flat_house();
+  SyntheticScene scene = test::flat_house();
   scene.extent_m = {2000.0, 2000.0};
   EXPECT_NO_THROW((void)nominal_pair(scene));
 }
 
 TEST(ClassedByViews, TakesTheLargestAngleOfAllPairs) {
-  const Scene scene = test::flat_house();
+  const SyntheticScene scene = test::flat_house();
   FlightOptions options;
   options.attitude_sigma_deg = options.position_sigma_m = 0.0;
   options.groups = {{ViewGroupKind::kStrip, 3}, {ViewGroupKind::kCross, 2}};

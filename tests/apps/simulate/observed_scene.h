@@ -16,12 +16,13 @@ namespace ridgeline::test {
 
 /// A scene with its views and what they show.
 struct ObservedScene {
-  simulate::Scene scene;
+  simulate::SyntheticScene scene;
   std::vector<simulate::AerialView> views;
   std::vector<cv::Mat> images;
 };
 
-inline ObservedScene observed(simulate::Scene scene, const simulate::FlightOptions& flight = {}) {
+inline ObservedScene observed(simulate::SyntheticScene scene,
+                              const simulate::FlightOptions& flight = {}) {
   ObservedScene o{std::move(scene), {}, {}};
   o.views = simulate::aerial_views(o.scene, flight);
   simulate::RenderOptions options;

@@ -34,7 +34,7 @@ bool same_bytes(const cv::Mat& a, const cv::Mat& b) {
 }
 
 TEST(Photograph, OfAFrameIsTheWholeImageByTheByteForAnyNumberOfThreads) {
-  const Scene scene = test::gabled_house(35.0, 20.0);
+  const SyntheticScene scene = test::gabled_house(35.0, 20.0);
   const Renderer renderer(scene, two_by_two_rays());
   const AerialView view = aerial_views(scene, small_frame()).back();
   const cv::Mat radiance = renderer.radiance(view);
@@ -59,7 +59,7 @@ TEST(Photograph, OfAFrameIsTheWholeImageByTheByteForAnyNumberOfThreads) {
 }
 
 TEST(Photograph, OfAnImageAroundThePlanReturnsAllOfItWithAllRays) {
-  const Scene scene = test::gabled_house(35.0, 20.0);
+  const SyntheticScene scene = test::gabled_house(35.0, 20.0);
   const Renderer renderer(scene, two_by_two_rays());
   FlightOptions flight;
   flight.focal_length_px = 4000.0;
@@ -82,7 +82,7 @@ std::pair<double, double> green(const cv::Mat& image) {
 }
 
 TEST(Photograph, FillsAFrameWithTheLawnThatLiesAroundTheVillage) {
-  const Scene scene = test::flat_house();
+  const SyntheticScene scene = test::flat_house();
   const Renderer renderer(scene, two_by_two_rays());
   const AerialView frame = aerial_views(scene, small_frame()).front();
   cv::Mat image;

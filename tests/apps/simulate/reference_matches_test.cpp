@@ -22,8 +22,8 @@ constexpr std::size_t kLeft = 0;
 constexpr std::size_t kRight = 1;
 
 /// A level square of 4 m at height `z`.
-Scene level_plate(double z) {
-  Scene scene;
+SyntheticScene level_plate(double z) {
+  SyntheticScene scene;
   scene.extent_m = {20.0, 20.0};
   add_polygon({{8, 8, z}, {12, 8, z}, {12, 12, z}, {8, 12, z}}, {kNone, kNone, Material::kWall},
               scene.mesh);
@@ -51,7 +51,7 @@ double distance_to(const Mesh& mesh, const Eigen::Vector3d& x) {
 }
 
 TEST(PhysicalEdges, JoinsPiecesOfOneLineAndLeavesOutDiagonals) {
-  Scene scene;
+  SyntheticScene scene;
   scene.extent_m = {20.0, 20.0};
   for (const double x : {2.0, 6.0, 10.0}) {  // three tiles in a row
     add_polygon({{x, 5, 0}, {x + 4, 5, 0}, {x + 4, 7, 0}, {x, 7, 0}},
@@ -65,7 +65,8 @@ TEST(PhysicalEdges, JoinsPiecesOfOneLineAndLeavesOutDiagonals) {
 }
 
 TEST(PhysicalEdges, PutsTheFootOfAWallOnTheGround) {
-  const Scene scene = test::gabled_house(35.0);  // its walls go down to -1 m, the ground is at 0
+  const SyntheticScene scene =
+      test::gabled_house(35.0);  // its walls go down to -1 m, the ground is at 0
   int feet = 0;
   for (const PhysicalEdge& edge : physical_edges(scene)) {
     EXPECT_GE(std::max(edge.segment.start.z(), edge.segment.end.z()), 0.0);
@@ -76,7 +77,7 @@ TEST(PhysicalEdges, PutsTheFootOfAWallOnTheGround) {
 }
 
 TEST(VisibleRuns, EndAtAnOccludingBody) {
-  Scene scene = level_plate(0.5);
+  SyntheticScene scene = level_plate(0.5);
   add_polygon({{9, 7, 6.0}, {10, 7, 6.0}, {10, 13, 6.0}, {9, 13, 6.0}},
               {kNone, kNone, Material::kRoof}, scene.mesh);
   FlightOptions flight;
@@ -94,7 +95,7 @@ TEST(VisibleRuns, EndAtAnOccludingBody) {
 }
 
 TEST(VisibleRuns, AreEmptyWhereBothSidesAreOneSurface) {
-  Scene scene;
+  SyntheticScene scene;
   scene.extent_m = {20.0, 20.0};
   for (const double x : {4.0, 10.0}) {
     add_polygon({{x, 5, 0}, {x + 6, 5, 0}, {x + 6, 15, 0}, {x, 15, 0}},
@@ -122,7 +123,7 @@ TEST(ReferenceMatches, ShowOneSurfaceInBothImages) {
   VillageOptions options;
   options.seed = 3;
   options.extent_m = {60.0, 60.0};
-  Scene village = make_village(options);
+  SyntheticScene village = make_village(options);
   add_fittings(village, 3);
   const test::ObservedScene o = test::observed(std::move(village));
   const SurfaceOracle oracle(o.scene, o.views);
@@ -139,7 +140,7 @@ TEST(ReferenceMatches, ShowOneSurfaceInBothImages) {
 }
 
 TEST(JudgeMatch, TellsAFalsePairAndAShadowEdge) {
-  const Scene scene = level_plate(4.0);
+  const SyntheticScene scene = level_plate(4.0);
   const std::vector<AerialView> views = aerial_views(scene, {});
   const SurfaceOracle oracle(scene, views);
   const auto in = [&](std::size_t view, const Segment3& s) {
@@ -159,7 +160,7 @@ TEST(JudgeMatch, TellsAFalsePairAndAShadowEdge) {
 }
 
 TEST(SurfaceOracle, FindsTheCounterpartOfAPixelUnlessItIsHidden) {
-  const Scene scene = level_plate(4.0);
+  const SyntheticScene scene = level_plate(4.0);
   const std::vector<AerialView> views = aerial_views(scene, {});
   const SurfaceOracle oracle(scene, views);
   const Eigen::Vector3d on_plate(9.0, 9.5, 4.0);
@@ -179,7 +180,7 @@ TEST(SurfaceOracle, FindsTheCounterpartOfAPixelUnlessItIsHidden) {
 
 TEST(SurfaceOracle, FollowsAPixelBetweenAnyTwoViews) {
   constexpr double kTolPx = 1e-6;
-  const Scene scene = level_plate(4.0);
+  const SyntheticScene scene = level_plate(4.0);
   FlightOptions flight;
   flight.groups = {{ViewGroupKind::kStrip, 2}, {ViewGroupKind::kOblique, 2}};
   const SurfaceOracle oracle(scene, aerial_views(scene, flight));
@@ -195,7 +196,7 @@ TEST(SurfaceOracle, FollowsAPixelBetweenAnyTwoViews) {
 }
 
 TEST(VisibleShares, AreOneForTheRidgeOfALonelyHouse) {
-  const Scene scene = test::gabled_house(35.0);
+  const SyntheticScene scene = test::gabled_house(35.0);
   const SurfaceOracle oracle(scene, aerial_views(scene, {}));
   const auto shares = visible_shares(scene, oracle);
   ASSERT_EQ(shares.size(), scene.lines.size());
@@ -210,8 +211,8 @@ TEST(Fittings, StayWithinTwelveCentimetresOfTheMeshAndChangeNoLine) {
   VillageOptions options;
   options.seed = 6;
   options.extent_m = {60.0, 60.0};
-  const Scene bare = make_village(options);
-  Scene scene = bare;
+  const SyntheticScene bare = make_village(options);
+  SyntheticScene scene = bare;
   add_fittings(scene, 6);
   ASSERT_GT(scene.mesh.triangles.size(), bare.mesh.triangles.size() + 200);
   EXPECT_EQ(scene.lines.size(), bare.lines.size());
@@ -221,7 +222,7 @@ TEST(Fittings, StayWithinTwelveCentimetresOfTheMeshAndChangeNoLine) {
   for (std::size_t i = bare.mesh.vertices.size(); i < scene.mesh.vertices.size(); i += kEvery) {
     EXPECT_LE(distance_to(bare.mesh, scene.mesh.vertices[i]), kMaxDistanceM) << i;
   }
-  Scene again = bare;
+  SyntheticScene again = bare;
   add_fittings(again, 6);
   EXPECT_EQ(again.mesh.vertices, scene.mesh.vertices);
 }

@@ -37,8 +37,8 @@ RenderOptions flat_colours() {
 }
 
 /// A white square of 4 m on level lawn, turned by 20 degrees.
-Scene white_square(std::vector<Eigen::Vector3d>& corners) {
-  Scene scene;
+SyntheticScene white_square(std::vector<Eigen::Vector3d>& corners) {
+  SyntheticScene scene;
   scene.extent_m = {12.0, 12.0};
   const Eigen::Matrix2d turn = Eigen::Rotation2Dd(0.35).toRotationMatrix();
   for (const Eigen::Vector2d& x : rectangle({-2.0, -2.0}, {2.0, 2.0})) {
@@ -71,7 +71,7 @@ TEST(Radiance, EdgesAndCornersLieWhereTheCameraProjectsThem) {
   constexpr double kTolPx = 0.05;
   constexpr double kTolMeanPx = 0.01;
   std::vector<Eigen::Vector3d> corners;
-  const Scene scene = white_square(corners);
+  const SyntheticScene scene = white_square(corners);
   RenderOptions options = flat_colours();
   options.samples_per_side = 5;
   options.sun_elevation_deg = 90.0;  // so that no shadow lies beside the square
@@ -104,7 +104,7 @@ TEST(Radiance, EdgesAndCornersLieWhereTheCameraProjectsThem) {
 
 TEST(Radiance, ShadowEndsWhereTheSunSaysAndHoldsTheLightOfTheSkyOnly) {
   constexpr double kHeightM = 3.0;
-  Scene scene;
+  SyntheticScene scene;
   scene.extent_m = {20.0, 20.0};
   add_prism(rectangle({9.0, 9.0}, {11.0, 11.0}), 0.0, kHeightM, {kNone, kNone, Material::kWall},
             scene.mesh);
@@ -138,7 +138,7 @@ TEST(Radiance, ShadowEndsWhereTheSunSaysAndHoldsTheLightOfTheSkyOnly) {
 }
 
 TEST(Radiance, BothViewsSeeOneTexture) {
-  const Scene scene = test::gabled_house(35.0, 20.0);
+  const SyntheticScene scene = test::gabled_house(35.0, 20.0);
   RenderOptions options;
   options.backscatter = 0.0;
   options.samples_per_side = 2;
@@ -173,7 +173,7 @@ TEST(Radiance, BothViewsSeeOneTexture) {
 }
 
 TEST(Radiance, IsTheSameForAnyNumberOfThreads) {
-  const Scene scene = test::gabled_house(35.0);
+  const SyntheticScene scene = test::gabled_house(35.0);
   RenderOptions options;
   options.samples_per_side = 1;
   const Renderer renderer(scene, options);

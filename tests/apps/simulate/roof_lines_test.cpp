@@ -15,15 +15,15 @@ namespace {
 
 using test::HouseScene;
 
-constexpr double kRoofTol = 1e-9;  // the exactness that Scene promises
+constexpr double kRoofTol = 1e-9;  // the exactness that SyntheticScene promises
 
-std::map<LineKind, int> count_kinds(const Scene& scene) {
+std::map<LineKind, int> count_kinds(const SyntheticScene& scene) {
   std::map<LineKind, int> counts;
   for (const SceneLine& line : scene.lines) ++counts[line.kind];
   return counts;
 }
 
-std::vector<SceneLine> of_kind(const Scene& scene, LineKind kind) {
+std::vector<SceneLine> of_kind(const SyntheticScene& scene, LineKind kind) {
   std::vector<SceneLine> lines;
   for (const SceneLine& line : scene.lines) {
     if (line.kind == kind) lines.push_back(line);
@@ -37,14 +37,14 @@ double total_length(const std::vector<SceneLine>& lines) {
   return sum;
 }
 
-Scene scene_of(std::vector<RoofPart> parts) {
-  Scene scene;
+SyntheticScene scene_of(std::vector<RoofPart> parts) {
+  SyntheticScene scene;
   add_structure(parts, scene);
   return scene;
 }
 
 TEST(RoofLines, GabledHouseHasOneRidgeTwoEavesFourVerges) {
-  const Scene scene = test::gabled_house(45.0);
+  const SyntheticScene scene = test::gabled_house(45.0);
   EXPECT_EQ(count_kinds(scene),
             (std::map<LineKind, int>{
                 {LineKind::kRidge, 1}, {LineKind::kEave, 2}, {LineKind::kVerge, 4}}));
@@ -66,7 +66,7 @@ TEST(RoofLines, GabledHouseHasOneRidgeTwoEavesFourVerges) {
 }
 
 TEST(RoofLines, HippedHouseHasFourHipsThatMeetTheRidge) {
-  const Scene scene = test::hipped_house(45.0, 30.0);
+  const SyntheticScene scene = test::hipped_house(45.0, 30.0);
   EXPECT_EQ(
       count_kinds(scene),
       (std::map<LineKind, int>{{LineKind::kRidge, 1}, {LineKind::kHip, 4}, {LineKind::kEave, 4}}));
@@ -78,7 +78,7 @@ TEST(RoofLines, HippedHouseHasFourHipsThatMeetTheRidge) {
 }
 
 TEST(RoofLines, FlatHouseHasFourEavesAtOneHeight) {
-  const Scene scene = test::flat_house();
+  const SyntheticScene scene = test::flat_house();
   EXPECT_EQ(count_kinds(scene), (std::map<LineKind, int>{{LineKind::kEave, 4}}));
   for (const SceneLine& eave : scene.lines) {
     EXPECT_NEAR(eave.segment.start.z(), HouseScene::kWallHeightM, kRoofTol);
@@ -86,13 +86,13 @@ TEST(RoofLines, FlatHouseHasFourEavesAtOneHeight) {
 }
 
 TEST(RoofLines, ParapetHasOuterAndInnerRimButNoMitres) {
-  const Scene scene = scene_of(parapet({.length_m = 10.0, .width_m = 6.0}, 0.3, 0.5));
+  const SyntheticScene scene = scene_of(parapet({.length_m = 10.0, .width_m = 6.0}, 0.3, 0.5));
   EXPECT_EQ(count_kinds(scene), (std::map<LineKind, int>{{LineKind::kEave, 8}}));
   EXPECT_NEAR(total_length(scene.lines), 2.0 * (10.0 + 6.0) + 2.0 * (9.4 + 5.4), kRoofTol);
 }
 
 TEST(RoofLines, ShedRoofHasTwoEavesOfDifferentHeight) {
-  const Scene scene =
+  const SyntheticScene scene =
       scene_of(shed({.width_m = 8.0, .pitch_rad = std::atan(0.25), .eave_overhang_m = 0.0}));
   const std::vector<SceneLine> eaves = of_kind(scene, LineKind::kEave);
   ASSERT_EQ(eaves.size(), 2U);
@@ -103,7 +103,7 @@ TEST(RoofLines, ShedRoofHasTwoEavesOfDifferentHeight) {
 TEST(RoofLines, WingJoinsByTwoValleysFromTheInnerCornersToItsRidge) {
   const HouseShape shape{.length_m = 14.0, .width_m = 8.0, .pitch_rad = std::numbers::pi / 4.0};
   const Wing wing{.centre_u_m = 1.0, .width_m = 6.0, .length_m = 3.0};
-  const Scene scene = scene_of(l_shaped(shape, wing));
+  const SyntheticScene scene = scene_of(l_shaped(shape, wing));
   const std::vector<SceneLine> valleys = of_kind(scene, LineKind::kValley);
   ASSERT_EQ(valleys.size(), 2U);
   const Eigen::Vector3d meeting(1.0, 1.0, 5.0 + 3.0);  // wing ridge 3 m above the walls
@@ -127,7 +127,7 @@ TEST(RoofLines, DormerCutsNothingOfTheMainRidgeAndHidesItsInnerEnd) {
   std::vector<RoofPart> parts = gabled(shape);
   const double main_ridge_z = ridge_z_m(shape);
   parts.push_back(dormer(shape, {.type = DormerType::kGabled}));
-  const Scene scene = scene_of(parts);
+  const SyntheticScene scene = scene_of(parts);
   std::vector<SceneLine> ridges = of_kind(scene, LineKind::kRidge);
   ASSERT_EQ(ridges.size(), 2U);
   std::sort(ridges.begin(), ridges.end(),
@@ -155,7 +155,7 @@ TEST(RoofLines, ChimneyInterruptsTheRidgeItStandsOn) {
   const HouseShape shape{.length_m = 10.0, .verge_overhang_m = 0.0};
   std::vector<RoofPart> parts = gabled(shape);
   parts.push_back(chimney(shape, 0.0, 0.0, 0.5));
-  const Scene scene = scene_of(parts);
+  const SyntheticScene scene = scene_of(parts);
   const std::vector<SceneLine> ridges = of_kind(scene, LineKind::kRidge);
   ASSERT_EQ(ridges.size(), 2U);
   EXPECT_NEAR(total_length(ridges), 10.0 - 0.8, 1e-6);   // a chimney is 0.8 m long
@@ -173,7 +173,7 @@ TEST(Placed, TurnsAndMovesPlanesWithTheirOutline) {
 }
 
 TEST(TrueMeanDistance, AveragesThePlanesOfARidge) {
-  const Scene scene = test::gabled_house(45.0);
+  const SyntheticScene scene = test::gabled_house(45.0);
   const auto ridge = std::find_if(scene.lines.begin(), scene.lines.end(),
                                   [](const auto& line) { return line.kind == LineKind::kRidge; });
   ASSERT_NE(ridge, scene.lines.end());
@@ -191,7 +191,7 @@ TEST(TrueMeanDistance, AveragesThePlanesOfARidge) {
 }
 
 TEST(TrueMeanDistance, RejectsAnUnknownLine) {
-  const Scene scene = test::gabled_house(45.0);
+  const SyntheticScene scene = test::gabled_house(45.0);
   EXPECT_THROW(true_mean_distance(scene, {}, -1), std::invalid_argument);
   EXPECT_THROW(true_mean_distance(scene, {}, 7), std::invalid_argument);
 }

@@ -23,7 +23,7 @@ using Corners = std::vector<Eigen::Vector3d>;
 constexpr double kFaceTol_m = 1e-5;  // vertices nearer than 1e-6 are merged; Boost rounds to 1e-7
 
 std::vector<Face> faces_of(std::vector<RoofPart> parts) {
-  Scene scene;
+  SyntheticScene scene;
   add_structure(parts, scene);
   return scene.faces;
 }
@@ -94,7 +94,7 @@ double distance_to_border(const Face& face, const Eigen::Vector3d& x) {
   return nearest;
 }
 
-Scene village_of_all_types(std::uint64_t seed) {
+SyntheticScene village_of_all_types(std::uint64_t seed) {
   VillageOptions options;
   options.seed = seed;
   options.built_share = 1.0;
@@ -140,7 +140,7 @@ TEST(TrueFaces, ARimThatIsTurnedHasNoMoreWalls) {
 TEST(TrueFaces, HousesOfARowHaveAllFourWalls) {
   VillageOptions options;
   options.roof_types = {RoofType::kRow};
-  const Scene scene = make_village(options);
+  const SyntheticScene scene = make_village(options);
   std::vector<int> num_walls(scene.buildings.size(), 0);
   for (const Face& face : of_surface(scene.faces, FaceKind::kWall)) {
     ++num_walls[face.building];
@@ -177,7 +177,7 @@ TEST(TrueFaces, ChimneysAreLeftOut) {
 }
 
 TEST(TrueFaces, RoofsAreTheHighestSurfaceOfABuildingAndCoverItOnce) {
-  const Scene scene = village_of_all_types(5);
+  const SyntheticScene scene = village_of_all_types(5);
   test::Random rng(7);
   std::size_t num_inside = 0;
   for (const SceneBuilding& building : scene.buildings) {
@@ -214,7 +214,7 @@ TEST(TrueFaces, RoofsAreTheHighestSurfaceOfABuildingAndCoverItOnce) {
 
 TEST(TrueFaces, TrueLinesAreBordersOfAsManyRoofsAsTheyHavePlanes) {
   for (const std::uint64_t seed : {5U, 6U}) {
-    const Scene scene = village_of_all_types(seed);
+    const SyntheticScene scene = village_of_all_types(seed);
     std::size_t num_lines = 0;
     for (const SceneLine& line : scene.lines) {
       if (line.building_id == kNone) continue;
@@ -233,7 +233,7 @@ TEST(TrueFaces, TrueLinesAreBordersOfAsManyRoofsAsTheyHavePlanes) {
 }
 
 TEST(TrueFaces, FacesAreFlatAndLookOutwards) {
-  const Scene scene = village_of_all_types(5);
+  const SyntheticScene scene = village_of_all_types(5);
   for (const Face& face : scene.faces) {
     const Eigen::Vector3d normal = area_vector(face.rings[0]).normalized();
     for (const Corners& ring : face.rings) {
@@ -255,7 +255,7 @@ TEST(TrueFaces, FacesAreFlatAndLookOutwards) {
 }
 
 TEST(TrueModel, IsTheSceneOnTheMap) {
-  const Scene scene = village_of_all_types(5);
+  const SyntheticScene scene = village_of_all_types(5);
   const io::BuildingModel model = true_model(scene);
   ASSERT_EQ(model.buildings.size(), scene.buildings.size());
   ASSERT_EQ(model.faces.size(), scene.faces.size());

@@ -12,7 +12,7 @@ namespace ridgeline::simulate {
 namespace {
 
 TEST(ObserveLines, LinesOfALonelyHouseAreVisibleAndTheirPlanesHit) {
-  const Scene scene = test::gabled_house(35.0, 15.0);
+  const SyntheticScene scene = test::gabled_house(35.0, 15.0);
   const io::PointCloud cloud = test::cloud_of(scene, test::sample_grid(scene, 0.5));
   const std::vector<TruthLine> observed = observe_lines(scene, cloud);
   ASSERT_EQ(observed.size(), scene.lines.size());
@@ -25,7 +25,7 @@ TEST(ObserveLines, LinesOfALonelyHouseAreVisibleAndTheirPlanesHit) {
 }
 
 TEST(ObserveLines, CountsReturnsInTheCorridorOfTheLineOnly) {
-  const Scene scene = test::gabled_house(35.0);
+  const SyntheticScene scene = test::gabled_house(35.0);
   io::PointCloud cloud;
   const int ridge = static_cast<int>(
       std::find_if(scene.lines.begin(), scene.lines.end(),
@@ -44,7 +44,7 @@ TEST(ObserveLines, CountsReturnsInTheCorridorOfTheLineOnly) {
 }
 
 TEST(ObserveLines, ATreeAboveHidesPartOfALine) {
-  Scene scene = test::gabled_house(35.0);
+  SyntheticScene scene = test::gabled_house(35.0);
   Random random({1});
   // the crown covers the ridge near its end, as no real tree would
   add_tree({14.0, 20.0, 0.0}, 3.0, 18.0, random, scene.mesh);
@@ -60,7 +60,7 @@ TEST(ObserveLines, ATreeAboveHidesPartOfALine) {
 }
 
 TEST(ObserveLines, RejectsACloudInAnotherFrame) {
-  const Scene scene = test::flat_house();
+  const SyntheticScene scene = test::flat_house();
   io::PointCloud cloud;
   cloud.frame.origin_m = {1.0, 0.0, 0.0};
   EXPECT_THROW(observe_lines(scene, cloud), std::invalid_argument);

@@ -18,9 +18,9 @@
 namespace ridgeline::simulate {
 namespace {
 
-constexpr double kVillageTol = 1e-9;  // the exactness that Scene promises
+constexpr double kVillageTol = 1e-9;  // the exactness that SyntheticScene promises
 
-Scene village(std::uint64_t seed) {
+SyntheticScene village(std::uint64_t seed) {
   VillageOptions options;
   options.seed = seed;
   return make_village(options);
@@ -31,7 +31,7 @@ double end_distance(const SceneLine& line, const Plane3& plane) {
                   std::abs(plane.signedDistance(line.segment.end)));
 }
 
-std::string printed(const Scene& scene) {
+std::string printed(const SyntheticScene& scene) {
   std::ostringstream out;
   out.precision(17);
   for (const Eigen::Vector3d& x : scene.mesh.vertices) out << x.transpose() << '\n';
@@ -61,7 +61,7 @@ double distance_to_line_of(const std::vector<const std::vector<SceneLine>*>& set
 /// A seed, and whether with clutter.
 class EachSeed : public testing::TestWithParam<std::pair<std::uint64_t, bool>> {
  protected:
-  static Scene scene_of_seed() {
+  static SyntheticScene scene_of_seed() {
     VillageOptions options;
     options.seed = GetParam().first;
     if (GetParam().second) set_clutter(options);
@@ -75,7 +75,7 @@ std::size_t expected_planes(LineKind kind) {
 }
 
 TEST_P(EachSeed, TrueLinesLieOnTheirPlanes) {
-  const Scene scene = scene_of_seed();
+  const SyntheticScene scene = scene_of_seed();
   ASSERT_GT(scene.lines.size(), 100U);
   for (const std::vector<SceneLine>* lines : {&scene.lines, &scene.joints}) {
     for (const SceneLine& line : *lines) {
@@ -89,7 +89,7 @@ TEST_P(EachSeed, TrueLinesLieOnTheirPlanes) {
 }
 
 TEST_P(EachSeed, TrueLinesLieOnTheTopSurface) {
-  const Scene scene = scene_of_seed();
+  const SyntheticScene scene = scene_of_seed();
   const test::TopSurface top(scene);
   for (const SceneLine& line : scene.lines) {
     if (line.kind == LineKind::kFoot) continue;  // eaves may hide it
@@ -107,7 +107,7 @@ TEST_P(EachSeed, TrueLinesAndJointsCloseEveryRoof) {
   constexpr double kReachM = 12.0;
   constexpr int kSteps = 240;         // over twice the reach
   constexpr double kClosedM = 0.011;  // slivers up to 1 cm are no lines
-  const Scene scene = scene_of_seed();
+  const SyntheticScene scene = scene_of_seed();
   const test::TopSurface top(scene);
   Random random({GetParam().first, 99});
   int changes = 0;
@@ -146,7 +146,7 @@ TEST_P(EachSeed, TrueLinesAndJointsCloseEveryRoof) {
 }
 
 TEST_P(EachSeed, HousesKeepApartAndInside) {
-  const Scene scene = scene_of_seed();
+  const SyntheticScene scene = scene_of_seed();
   ASSERT_GE(scene.buildings.size(), 8U);
   for (const SceneBuilding& a : scene.buildings) {
     for (const ConvexPolygon& outline : a.roof_footprint) {
@@ -165,7 +165,7 @@ TEST_P(EachSeed, HousesKeepApartAndInside) {
 }
 
 TEST_P(EachSeed, OutlinesOfPlanesLieOnThem) {
-  const Scene scene = scene_of_seed();
+  const SyntheticScene scene = scene_of_seed();
   for (std::size_t i = 0; i < scene.planes.size(); ++i) {
     const ScenePlane& plane = scene.planes[i];
     EXPECT_EQ(plane.id, static_cast<int>(i));
@@ -203,7 +203,7 @@ TEST(MakeVillage, BuildsEachRoofTypeOverTenSeeds) {
   std::set<RoofType> types;
   std::set<LineKind> kinds;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    const Scene scene = village(seed);
+    const SyntheticScene scene = village(seed);
     for (const SceneBuilding& building : scene.buildings) types.insert(building.type);
     for (const SceneLine& line : scene.lines) kinds.insert(line.kind);
   }
@@ -222,7 +222,7 @@ TEST(MakeVillage, BuildsOnlyTheRoofTypesAskedFor) {
 TEST(MakeVillage, DormersAndChimneysOfAHouseKeepApartBelowItsRidge) {
   VillageOptions options;
   options.roof_types = {RoofType::kGabledDormers, RoofType::kShedDormers};
-  const Scene scene = make_village(options);
+  const SyntheticScene scene = make_village(options);
   for (const SceneBuilding& building : scene.buildings) {
     const std::vector<ConvexPolygon>& parts = building.roof_footprint;
     ASSERT_GE(parts.size(), 3U);  // house, a dormer, a chimney
@@ -247,7 +247,7 @@ TEST(MakeVillage, DormersAndChimneysOfAHouseKeepApartBelowItsRidge) {
 TEST(MakeVillage, RowHousesShareNoVergeAndKeepTheirEaves) {
   VillageOptions options;
   options.roof_types = {RoofType::kRow};
-  const Scene scene = make_village(options);
+  const SyntheticScene scene = make_village(options);
   std::map<std::pair<int, LineKind>, int> counts;
   for (const SceneLine& line : scene.lines) ++counts[{line.building_id, line.kind}];
   ASSERT_EQ(scene.buildings.size() % 3, 0U);
@@ -263,7 +263,7 @@ TEST(MakeVillage, RowHousesShareNoVergeAndKeepTheirEaves) {
 }
 
 TEST(MakeVillage, GroundEndsWithTheExtent) {
-  const Scene scene = village(1);
+  const SyntheticScene scene = village(1);
   const auto inside = [&](const Eigen::Vector3d& x) {
     return x.head<2>().minCoeff() > -kVillageTol &&
            (scene.extent_m - x.head<2>()).minCoeff() > -kVillageTol;
@@ -291,8 +291,8 @@ TEST(MakeVillage, GroundEndsWithTheExtent) {
 TEST(MakeVillage, OriginShiftsTheWorldAndNothingElse) {
   VillageOptions options;
   options.origin_m = {1000.0, 2000.0, -5.0};
-  const Scene moved = make_village(options);
-  const Scene scene = make_village(VillageOptions{});
+  const SyntheticScene moved = make_village(options);
+  const SyntheticScene scene = make_village(VillageOptions{});
   EXPECT_EQ(printed(moved), printed(scene));
   const Eigen::Vector3d shift = options.origin_m - VillageOptions{}.origin_m;
   const io::LineSet a = true_lines(scene);
@@ -362,7 +362,7 @@ TEST(MakeVillage, RejectsOptionsOutsideTheirRange) {
 }
 
 TEST(TrueLines, CarryKindBuildingPlanesAndWorldCoordinates) {
-  const Scene scene = village(1);
+  const SyntheticScene scene = village(1);
   const io::LineSet set = true_lines(scene);
   ASSERT_EQ(set.lines.size(), scene.lines.size());
   EXPECT_EQ(set.crs.definition, "EPSG:25832");

@@ -43,8 +43,8 @@ io::LineSet map_of(const evaluate::LineEvaluation& line) {
 TEST(WriteJudgedMap, NamesTheSurfaceAndWhatDecidedOnIt) {
   evaluate::LineEvaluation line = evaluate::evaluated_line("a", 0.1, 1);
   line.planes.clear();
-  line.surface = evaluate::Surface::kGround;
-  line.surface_other = evaluate::Surface::kUpper;
+  line.surface = evaluate::JudgingSurface::kGround;
+  line.surface_other = evaluate::JudgingSurface::kUpper;
   line.surface_probability = 0.93;
   line.decided_by = evaluate::DecidedBy::kImages;
   const io::LineSet map = map_of(line);

@@ -77,7 +77,7 @@ TEST(JudgeLine, TakesALineUnderAnEaveForAnEdgeOfTheGroundByItsPlace) {
   const LineEvaluation e =
       judge_line(grid, line(moved(house.eave(), {0, 0, -house.roof.eave_height_m})), {}).evaluation;
   ASSERT_EQ(e.status, Status::kEvaluated) << e.reason;
-  EXPECT_EQ(e.surface, Surface::kGround);
+  EXPECT_EQ(e.surface, JudgingSurface::kGround);
   EXPECT_EQ(e.decided_by, DecidedBy::kPlace);
   EXPECT_LT(*e.mean_distance_m, kNoisy);
 }

@@ -66,7 +66,7 @@ TEST(DecideSurface, OfALineOnItsEaveIsTheRoof) {
   const SurfaceDecision decision = decide(roof_over_ground(), line_at(6.0));
   ASSERT_EQ(decision.status, Status::kEvaluated) << decision.reason;
   EXPECT_EQ(decision.planes, std::vector<std::size_t>{0});
-  EXPECT_EQ(decision.surface, Surface::kUpper);
+  EXPECT_EQ(decision.surface, JudgingSurface::kUpper);
 }
 
 TEST(DecideSurface, OfALineInOpenGroundIsTheGroundByThePlanWhereverTheLineLies) {
@@ -92,7 +92,7 @@ TEST(DecideSurface, OfALineUnderAnOverhangIsTheGroundByItsPlaceAlone) {
   const SurfaceDecision decision = decide(planes, line_at(0.0));
   ASSERT_EQ(decision.status, Status::kEvaluated) << decision.reason;
   EXPECT_EQ(decision.planes, std::vector<std::size_t>{1});
-  EXPECT_EQ(decision.surface, Surface::kGround);
+  EXPECT_EQ(decision.surface, JudgingSurface::kGround);
   EXPECT_EQ(decision.decided_by, DecidedBy::kPlace);
 }
 
@@ -113,7 +113,7 @@ TEST(DecideSurface, OfTwoPlanesThatMeetIsBoth) {
   const SurfaceDecision decision = decide(planes, line_at(9.0));
   ASSERT_EQ(decision.status, Status::kEvaluated) << decision.reason;
   EXPECT_EQ(decision.kind, Kind::kRidge);
-  EXPECT_EQ(decision.surface, Surface::kRidge);
+  EXPECT_EQ(decision.surface, JudgingSurface::kRidge);
   EXPECT_EQ(decision.planes, (std::vector<std::size_t>{0, 1}));
 }
 
@@ -193,7 +193,7 @@ TEST(DecideSurface, PointsAlongTheLineThatNoPlaneExplainsMakeItAnObjects) {
   }
   EXPECT_EQ(decide(planes, line_at(1.0)).status, Status::kEvaluated);
   const SurfaceDecision decision = decide(planes, line_at(1.0), hedge);
-  EXPECT_EQ(decision.surface, Surface::kObject);
+  EXPECT_EQ(decision.surface, JudgingSurface::kObject);
   EXPECT_NE(decision.status, Status::kEvaluated);
 }
 
@@ -234,7 +234,7 @@ TEST(DecideSurface, OfALineThatThreeImagesShowBetweenTheSurfacesIsAnObject) {
   JudgedLine line = line_at(3.0);
   line.images = seen_by_three(3.0);
   const SurfaceDecision decision = decide(roof_over_ground(), line);
-  EXPECT_EQ(decision.surface, Surface::kObject);
+  EXPECT_EQ(decision.surface, JudgingSurface::kObject);
   EXPECT_NE(decision.status, Status::kEvaluated);
 }
 

@@ -36,8 +36,8 @@ Evaluation small_evaluation(const std::string& method = "direct") {
   evaluation.lines[0].epipolar_angle_deg = 33.0;
   evaluation.lines[1].flags = {"merged", "another_flag"};
   evaluation.lines[2].building = "b 7";
-  evaluation.lines[2].surface = Surface::kLower;
-  evaluation.lines[2].surface_other = Surface::kObject;
+  evaluation.lines[2].surface = JudgingSurface::kLower;
+  evaluation.lines[2].surface_other = JudgingSurface::kObject;
   evaluation.lines[2].surface_probability = 0.97;
   evaluation.lines[2].decided_by = DecidedBy::kImages;
   return with_summaries(std::move(evaluation));
@@ -213,8 +213,8 @@ TEST(EvaluationJson, SurvivesARoundTrip) {
   ASSERT_EQ(read.lines.size(), 4U);
   EXPECT_EQ(read.lines[1].flags, evaluation.lines[1].flags);
   EXPECT_EQ(read.lines[2].building, "b 7");
-  EXPECT_EQ(read.lines[2].surface, Surface::kLower);
-  EXPECT_EQ(read.lines[2].surface_other, Surface::kObject);
+  EXPECT_EQ(read.lines[2].surface, JudgingSurface::kLower);
+  EXPECT_EQ(read.lines[2].surface_other, JudgingSurface::kObject);
   EXPECT_EQ(read.lines[2].surface_probability, 0.97);
   EXPECT_EQ(read.lines[2].decided_by, DecidedBy::kImages);
   EXPECT_FALSE(read.lines[0].surface || read.lines[0].surface_probability);

@@ -14,8 +14,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(TextTable, AlignsTextLeftAndFiguresRight) {
-  TextTable table({"patch", "RMS:", "verdict"});
+TEST(PrintedTable, AlignsTextLeftAndFiguresRight) {
+  PrintedTable table({"patch", "RMS:", "verdict"});
   table.add("1", "0.152", "passed");
   table.add("village", "12.000", "failed");
   EXPECT_EQ(table.text(Markup::kPlain),
@@ -27,8 +27,8 @@ TEST(TextTable, AlignsTextLeftAndFiguresRight) {
             "| 1 | 0.152 | passed |\n| village | 12.000 | failed |\n");
 }
 
-TEST(TextTable, EscapesForMarkdownAlone) {
-  TextTable table({"|z| <= 1.96:", "gate"});
+TEST(PrintedTable, EscapesForMarkdownAlone) {
+  PrintedTable table({"|z| <= 1.96:", "gate"});
   table.add("3", "rms_m <= 0.3 | x");
   EXPECT_THAT(table.text(Markup::kPlain),
               AllOf(HasSubstr("|z| <= 1.96  gate\n"), HasSubstr("rms_m <= 0.3 | x\n")));
@@ -36,8 +36,8 @@ TEST(TextTable, EscapesForMarkdownAlone) {
                                                    HasSubstr("rms_m \\<= 0.3 \\| x |")));
 }
 
-TEST(TextTable, AlignsWhateverTheWidthOfACharacterIs) {
-  TextTable table({"patch", "n:"});
+TEST(PrintedTable, AlignsWhateverTheWidthOfACharacterIs) {
+  PrintedTable table({"patch", "n:"});
   table.add("H\u00e4user \u2264 2 \u03c3", 1);
   table.add("\u5c4b\u6839", 22);
   table.add("caf\xE9\n", 3);
@@ -48,8 +48,8 @@ TEST(TextTable, AlignsWhateverTheWidthOfACharacterIs) {
             "caf\uFFFD           3\n");
 }
 
-TEST(TextTable, LeavesOutPlainColumnsWithoutAFigure) {
-  TextTable table({"gate", "patch"}, {{"baseline:", "n:", "verdict"}});
+TEST(PrintedTable, LeavesOutPlainColumnsWithoutAFigure) {
+  PrintedTable table({"gate", "patch"}, {{"baseline:", "n:", "verdict"}});
   table.add("a", "-", "-", 3, "-");
   table.add("b", "-", "-", "-", "-");
   EXPECT_EQ(table.text(Markup::kPlain), "gate  patch  n\na     -      3\nb     -      -\n");
@@ -57,8 +57,8 @@ TEST(TextTable, LeavesOutPlainColumnsWithoutAFigure) {
               HasSubstr("| gate | patch | baseline | n | verdict |"));
 }
 
-TEST(TextTable, KeepsItsTitlesWithoutRows) {
-  const TextTable table({"class"}, {{"n:", "RMS:"}});
+TEST(PrintedTable, KeepsItsTitlesWithoutRows) {
+  const PrintedTable table({"class"}, {{"n:", "RMS:"}});
   EXPECT_EQ(table.text(Markup::kPlain), "class  n  RMS\n");
 }
 
@@ -70,9 +70,9 @@ std::size_t width_of(const std::string& text) {
   return width;
 }
 
-TEST(TextTable, HasABlockForEachPartWhereItIsTooWideForATerminal) {
+TEST(PrintedTable, HasABlockForEachPartWhereItIsTooWideForATerminal) {
   const std::string long_title(60, 'x');
-  TextTable table({"class"}, {{long_title + ":", "RMS:"}, {long_title, "p:"}});
+  PrintedTable table({"class"}, {{long_title + ":", "RMS:"}, {long_title, "p:"}});
   table.add("aligned", 1, 2, 3, 4);
   const std::string text = table.text(Markup::kPlain);
   EXPECT_LE(width_of(text), 100U);
@@ -80,13 +80,13 @@ TEST(TextTable, HasABlockForEachPartWhereItIsTooWideForATerminal) {
   EXPECT_THAT(text, HasSubstr("    2\n\nclass    " + long_title + "  p\naligned  3"));
   EXPECT_THAT(table.text(Markup::kMarkdown), HasSubstr("| aligned | 1 | 2 | 3 | 4 |\n"));
 
-  TextTable narrow({"class"}, {{"RMS:"}, {"p:"}});
+  PrintedTable narrow({"class"}, {{"RMS:"}, {"p:"}});
   narrow.add("aligned", 2, 4);
   EXPECT_EQ(narrow.text(Markup::kPlain), "class    RMS  p\naligned    2  4\n");
 }
 
-TEST(TextTable, WritesTheNoteOfARowBelowItOrInItsLastCell) {
-  TextTable table({"gate", "n:", "verdict"});
+TEST(PrintedTable, WritesTheNoteOfARowBelowItOrInItsLastCell) {
+  PrintedTable table({"gate", "n:", "verdict"});
   table.add("a", 3, "failed");
   table.add_note("0.5 is > 0.3");
   table.add("b", 4, "passed");

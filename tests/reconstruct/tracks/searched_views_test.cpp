@@ -12,7 +12,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 using ::testing::ElementsAre;
-using Matching = SearchedViews::Matching;
+using MatchState = SearchedViews::MatchState;
 
 TEST(SearchedViews, HasTheNearestViewsFirst) {
   const test::BlockScene block;
@@ -67,12 +67,12 @@ TEST(SearchedViews, TellsMatchesByAppearanceInBothDirections) {
   for (const double y : {0.0, 5.0, 10.0}) block.add({{-5.0, y, 0.0}, {5.0, y, 0.0}});
   const std::vector<MatchedPair> pairs{{{3, 1}, {{0, 2}}}};
   const SearchedViews views(block.scene, pairs);
-  EXPECT_EQ(views.appearance({3, 0}, {1, 2}), Matching::kMatched);
-  EXPECT_EQ(views.appearance({1, 2}, {3, 0}), Matching::kMatched);
-  EXPECT_EQ(views.appearance({3, 0}, {1, 0}), Matching::kMatchedElsewhere);
-  EXPECT_EQ(views.appearance({3, 1}, {1, 2}), Matching::kMatchedElsewhere);
-  EXPECT_EQ(views.appearance({3, 1}, {1, 1}), Matching::kUnknown);
-  EXPECT_EQ(views.appearance({0, 0}, {1, 2}), Matching::kUnknown);
+  EXPECT_EQ(views.match_state({3, 0}, {1, 2}), MatchState::kMatched);
+  EXPECT_EQ(views.match_state({1, 2}, {3, 0}), MatchState::kMatched);
+  EXPECT_EQ(views.match_state({3, 0}, {1, 0}), MatchState::kMatchedElsewhere);
+  EXPECT_EQ(views.match_state({3, 1}, {1, 2}), MatchState::kMatchedElsewhere);
+  EXPECT_EQ(views.match_state({3, 1}, {1, 1}), MatchState::kUnknown);
+  EXPECT_EQ(views.match_state({0, 0}, {1, 2}), MatchState::kUnknown);
 }
 
 }  // namespace
