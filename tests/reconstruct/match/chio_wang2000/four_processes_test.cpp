@@ -76,7 +76,7 @@ class FigureThree : public testing::Test {
 
 TEST_F(FigureThree, IsAcquiredInTheOrderOfThePaper) {
   for (const ChioExtensions& beyond : {test::kOurExtensions, ChioExtensions{}}) {
-    const auto [acquired, outcomes] = process({}, {}, beyond);
+    const auto [acquired, outcomes] = process({}, beyond);
     for (const auto& line : acquired) ASSERT_TRUE(line);
     EXPECT_EQ(acquired[kA1]->process, 1);
     EXPECT_EQ(acquired[kA1]->neighbour, -1);
