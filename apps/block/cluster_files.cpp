@@ -48,13 +48,12 @@ SlurmJob job_of(const FramesBlock& block, const std::string& folder, int threads
   job.threads = threads;
   for (std::size_t i = 0; i < job.n_tasks; ++i) {
     const TaskEstimate task = block.estimate_of_task(i);
-    job.task_s = std::max(job.task_s, task.seconds / threads);
-    job.task_mib = std::max(job.task_mib, task.memory_mib);
+    job.task.seconds = std::max(job.task.seconds, task.seconds / threads);
+    job.task.memory_mib = std::max(job.task.memory_mib, task.memory_mib);
     job.total_task_s += task.seconds / threads;
   }
-  const TaskEstimate merge = block.estimate_of_merge();
-  job.merge_s = merge.seconds / threads;
-  job.merge_mib = merge.memory_mib;
+  job.merge = block.estimate_of_merge();
+  job.merge.seconds /= threads;
   return job;
 }
 

@@ -17,12 +17,6 @@ namespace {
 constexpr std::size_t kMaxElements = 1000;
 /// Slurm takes 0.2 s to start an element.
 constexpr double kMinElementTime_s = 60.0;
-/// Margins over what is estimated: hosts differ and share their disks; an element may wait for its
-/// second attempt; the shell and libraries need memory, too.
-constexpr double kTimeMargin = 3.0;
-constexpr double kMoreTime_s = 600.0;
-constexpr double kMemoryMargin = 1.5;
-constexpr double kMoreMemoryMib = 256.0;
 
 constexpr std::string_view kPlain =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./,:=+@-";
@@ -31,13 +25,7 @@ constexpr std::string_view kPlain =
 std::string shell_quoted(const std::string& word) {
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
   std::string quoted = "'";
-  for (const char c : word) {
-    if (c == '\'') {
-      quoted += "'\\''";
-    } else {
-      quoted += c;
-    }
-  }
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
 }
 
@@ -62,135 +50,124 @@ std::size_t n_elements(const SlurmJob& job) {
   return quotient_up(job.n_tasks, tasks_per_element(job));
 }
 
-/// The limit of time for work that is estimated to take so long.
-int limit_min(double estimated_s) {
-  return static_cast<int>(std::ceil((kTimeMargin * estimated_s + kMoreTime_s) / 60.0));
-}
-
-int element_min(const SlurmJob& job) {
-  const double slowest_s = static_cast<double>(tasks_per_element(job)) * job.task_s;
-  return limit_min(std::min(slowest_s, std::max(job.total_task_s, job.task_s)));
-}
-
-int limit_mib(double estimated_mib) {
-  return static_cast<int>(std::ceil(kMemoryMargin * estimated_mib + kMoreMemoryMib));
-}
-
 /// A label, after the folder of the block: #SBATCH lines have rules of their own for blanks and
 /// quotes.
-std::string job_name(const SlurmJob& job, std::string_view step) {
-  std::string name =
-      fmt::format("{}-{}", std::filesystem::path(job.folder).filename().string(), step);
+std::string label_of(const SlurmJob& job) {
+  std::string name = std::filesystem::path(job.folder).filename().string();
   for (char& c : name) {
     if (kPlain.find(c) == std::string_view::npos) c = '_';
   }
   return name;
 }
 
-/// Paths in #SBATCH lines are relative to DIR, from which submit.sh submits: a `%` or quote in the
-/// path of DIR would mean something else there.
-std::string sbatch_lines(const SlurmJob& job, std::string_view step, int mib, int minutes) {
-  return fmt::format(
-      "#SBATCH --job-name={}\n"
-      "#SBATCH --nodes=1\n"
-      "#SBATCH --ntasks=1\n"
-      "#SBATCH --cpus-per-task={}\n"
-      "#SBATCH --mem={}M\n"
-      "#SBATCH --time={}\n"
-      "#SBATCH --requeue\n"
-      "#SBATCH --open-mode=append\n",
-      job_name(job, step), job.threads, mib, minutes);
+/// A script of sbatch. Its paths are relative to DIR, from which submit.sh submits: a `%` or quote
+/// in the path of DIR would mean something else in #SBATCH lines. Slurm does not repeat what
+/// failed, so the script does; what is finished takes no time again.
+/// @param head  further #SBATCH lines, then what comes before the step
+std::string sbatch_script(const SlurmJob& job,
+                          std::string_view name,
+                          std::string_view head,
+                          std::string_view step) {
+  return fmt::format(R"(#!/bin/sh
+# Written by `ridgeline block --slurm`; submit.sh submits it.
+#SBATCH --job-name={label}-{name}
+#SBATCH --nodes=1
+#SBATCH --ntasks=1
+#SBATCH --cpus-per-task={threads}
+#SBATCH --requeue
+#SBATCH --open-mode=append
+{head}
+cd {folder} || exit
+step() {{
+  {command} {step}
+}}
+# A second attempt helps if another process still held the folder or a disk was away.
+step || {{
+  sleep "${{RIDGELINE_RETRY_S:-60}}"
+  step
+}}
+)",
+                     fmt::arg("label", label_of(job)), fmt::arg("name", name),
+                     fmt::arg("threads", job.threads), fmt::arg("head", head),
+                     fmt::arg("folder", shell_quoted(job.working_folder)),
+                     fmt::arg("command", command_of(job)), fmt::arg("step", step));
 }
 
-/// Slurm does not repeat what failed, so the script does. What is finished takes no time again.
-std::string in_two_attempts(const SlurmJob& job, std::string_view step) {
-  return fmt::format(
-      "cd {} || exit\n"
-      "step() {{\n"
-      "  {} {}\n"
-      "}}\n"
-      "# A second attempt helps if another process still held the folder or a disk was away.\n"
-      "step || {{\n"
-      "  sleep \"${{RIDGELINE_RETRY_S:-60}}\"\n"
-      "  step\n"
-      "}}\n",
-      shell_quoted(job.working_folder), command_of(job), step);
+/// The options of sbatch for the tasks and for the merge, with room for hosts that differ and share
+/// their disks, for a second attempt, and for the shell and libraries.
+std::string limits_of(const SlurmJob& job) {
+  constexpr double kTimeMargin = 3.0, kMoreTime_s = 600.0;
+  constexpr double kMemoryMargin = 1.5, kMoreMemory_mib = 256.0;
+  const double element_s = std::min(static_cast<double>(tasks_per_element(job)) * job.task.seconds,
+                                    std::max(job.total_task_s, job.task.seconds));
+  const double longest_s = std::max(element_s, job.merge.seconds);
+  const double largest_mib = std::max(job.task.memory_mib, job.merge.memory_mib);
+  return fmt::format("--time={:.0f} --mem={:.0f}M",
+                     std::ceil((kTimeMargin * longest_s + kMoreTime_s) / 60.0),
+                     std::ceil(kMemoryMargin * largest_mib + kMoreMemory_mib));
 }
 
 }  // namespace
 
 std::string tasks_script(const SlurmJob& job) {
   check(job.n_tasks > 0, "n_tasks = ", job.n_tasks, ", must be positive");
-  std::string text =
-      "#!/bin/sh\n"
-      "# The tasks of a block, by `ridgeline block --slurm`. submit.sh submits this and the "
-      "merge.\n";
-  text += sbatch_lines(job, "tasks", limit_mib(job.task_mib), element_min(job));
-  text += fmt::format(
-      "#SBATCH --array=1-{}\n"
-      "#SBATCH --output=logs/tasks.%a.log\n"
-      "set -u\n"
-      "n_tasks={}\n"
-      "tasks_per_element={}\n",
-      n_elements(job), job.n_tasks, tasks_per_element(job));
-  text +=
-      "first=$(((SLURM_ARRAY_TASK_ID - 1) * tasks_per_element + 1))\n"
-      "last=$((first + tasks_per_element - 1))\n"
-      "[ \"$last\" -le \"$n_tasks\" ] || last=$n_tasks\n"
-      "echo \"Tasks $first-$last on $SLURMD_NODENAME, restart ${SLURM_RESTART_COUNT:-0}, "
-      "$(date)\"\n";
-  return text + in_two_attempts(job, "--task \"$first-$last\"");
+  const std::string head = fmt::format(R"(#SBATCH --array=1-{n_elements}
+#SBATCH --output=logs/tasks.%a.log
+set -u
+n_tasks={n_tasks}
+tasks_per_element={per_element}
+first=$(((SLURM_ARRAY_TASK_ID - 1) * tasks_per_element + 1))
+last=$((first + tasks_per_element - 1))
+[ "$last" -le "$n_tasks" ] || last=$n_tasks
+echo "Tasks $first-$last on $SLURMD_NODENAME, restart ${{SLURM_RESTART_COUNT:-0}}, $(date)")",
+                                       fmt::arg("n_elements", n_elements(job)),
+                                       fmt::arg("n_tasks", job.n_tasks),
+                                       fmt::arg("per_element", tasks_per_element(job)));
+  return sbatch_script(job, "tasks", head, "--task \"$first-$last\"");
 }
 
 std::string merge_script(const SlurmJob& job) {
-  std::string text =
-      "#!/bin/sh\n"
-      "# Merges the results of the tasks of a block, by `ridgeline block --slurm`.\n";
-  text += sbatch_lines(job, "merge", limit_mib(job.merge_mib), limit_min(job.merge_s));
-  text +=
-      "#SBATCH --output=logs/merge.log\n"
-      "set -u\n"
-      "echo \"Merge on $SLURMD_NODENAME, restart ${SLURM_RESTART_COUNT:-0}, $(date)\"\n";
-  return text + in_two_attempts(job, "--merge");
+  return sbatch_script(job, "merge", R"(#SBATCH --output=logs/merge.log
+set -u
+echo "Merge on $SLURMD_NODENAME, restart ${SLURM_RESTART_COUNT:-0}, $(date)")",
+                       "--merge");
 }
 
 std::string submit_script(const SlurmJob& job) {
-  std::string text = fmt::format(
-      "#!/bin/sh\n"
-      "# Submits the tasks of a block and their merge to Slurm. Takes options of sbatch for both, "
-      "as\n"
-      "# --account and --partition. May be submitted again: finished tasks take no time.\n"
-      "set -eu\n"
-      "cd {}\n"
-      "mkdir -p logs\n",
-      shell_quoted(job.folder));
-  text +=
-      "tasks=$(sbatch --parsable \"$@\" tasks.sbatch)\n"
-      "tasks=${tasks%%;*}  # the name of a cluster may follow\n"
-      "# Not afterok: of what failed the merge says what is missing.\n"
-      "merge=$(sbatch --parsable \"$@\" --dependency=\"afterany:$tasks\" merge.sbatch)\n"
-      "echo \"Job $tasks does the tasks, job ${merge%%;*} merges. Logs are in $PWD/logs\"\n";
-  return text;
+  return fmt::format(R"(#!/bin/sh
+# Submits the tasks of a block and their merge to Slurm. Takes options of sbatch for both, such as
+# --time, --mem, --account and --partition. May be submitted again: finished tasks take no time.
+set -eu
+cd {folder}
+mkdir -p logs
+tasks=$(sbatch --parsable "$@" tasks.sbatch)
+tasks=${{tasks%%;*}}  # the name of a cluster may follow
+# Not afterok: of what failed the merge says what is missing.
+merge=$(sbatch --parsable "$@" --dependency="afterany:$tasks" merge.sbatch)
+echo "Job $tasks does the tasks, job ${{merge%%;*}} merges. Logs are in $PWD/logs"
+)",
+                     fmt::arg("folder", shell_quoted(job.folder)));
 }
 
 std::string parallel_script(const SlurmJob& job) {
-  const std::string command = command_of(job);
-  // A share of the cores, so that it holds on every host of -S.
-  const int share = std::max(1, 100 / job.threads);
-  return fmt::format(
-      "#!/bin/sh\n"
-      "# The tasks of a block and their merge by GNU parallel. Takes options of parallel, as -j 4 "
-      "or\n"
-      "# -S host1,host2. May be started again: finished tasks take no time.\n"
-      "set -u\n"
-      "mkdir -p {}\n"
-      "cd {} || exit\n"
-      "seq {} |\n"
-      "  parallel -q --wd \"$PWD\" -j {}% --memfree {}M --retries 2 --joblog {} \"$@\" \\\n"
-      "    {} --task {{}}\n"
-      "{} --merge\n",
-      shell_quoted(job.folder + "/logs"), shell_quoted(job.working_folder), job.n_tasks, share,
-      limit_mib(job.task_mib), shell_quoted(job.folder + "/logs/parallel.tsv"), command, command);
+  return fmt::format(R"(#!/bin/sh
+# The tasks of a block and their merge by GNU parallel. Takes options of parallel, such as -j 4,
+# --memfree 2G or -S host1,host2. May be started again: finished tasks take no time.
+set -u
+mkdir -p {logs}
+cd {working_folder} || exit
+seq {n_tasks} |
+  parallel -q --wd "$PWD" -j {share}% --retries 2 --joblog {joblog} "$@" \
+    {command} --task {{}}
+{command} --merge
+)",
+                     fmt::arg("logs", shell_quoted(job.folder + "/logs")),
+                     fmt::arg("working_folder", shell_quoted(job.working_folder)),
+                     fmt::arg("n_tasks", job.n_tasks),
+                     // of the cores, so that it holds on every host of -S
+                     fmt::arg("share", std::max(1, 100 / job.threads)),
+                     fmt::arg("joblog", shell_quoted(job.folder + "/logs/parallel.tsv")),
+                     fmt::arg("command", command_of(job)));
 }
 
 std::string how_to_submit(const SlurmJob& job) {
@@ -198,13 +175,13 @@ std::string how_to_submit(const SlurmJob& job) {
     return "sh " + shell_quoted(job.folder + "/" + name);
   };
   return fmt::format(
-      "{} tasks in an array of {}, each at most {} MiB and {} min with {}; then the merge, "
-      "at most {} MiB and {} min\n"
-      "  Slurm         {} [--partition=P --account=A]\n"
+      "{} tasks in an array of {}; the slowest is estimated at {:.0f} s, the largest at {:.0f} MiB "
+      "with {}; the merge at {:.0f} s and {:.0f} MiB\n"
+      "  Slurm         {} {} [--partition=P --account=A]\n"
       "  GNU parallel  {} [-S host1,host2]\n",
-      job.n_tasks, n_elements(job), limit_mib(job.task_mib), element_min(job),
-      job.threads == 1 ? "1 thread" : fmt::format("{} threads", job.threads),
-      limit_mib(job.merge_mib), limit_min(job.merge_s), script("submit.sh"), script("parallel.sh"));
+      job.n_tasks, n_elements(job), job.task.seconds, job.task.memory_mib,
+      job.threads == 1 ? "1 thread" : fmt::format("{} threads", job.threads), job.merge.seconds,
+      job.merge.memory_mib, script("submit.sh"), limits_of(job), script("parallel.sh"));
 }
 
 }  // namespace ridgeline::apps

@@ -58,11 +58,9 @@ class SlurmJobTest : public testing::Test {
             .folder = folder_.string(),
             .n_tasks = n_tasks,
             .threads = 2,
-            .task_s = task_s,
-            .task_mib = 1000.0,
+            .task = {task_s, 1000.0},
             .total_task_s = task_s * static_cast<double>(n_tasks),
-            .merge_s = 30.0,
-            .merge_mib = 500.0};
+            .merge = {30.0, 500.0}};
   }
 
   io::TempFolder temporary_;
@@ -127,14 +125,10 @@ TEST_F(SlurmJobTest, ShortTasksShareAnElementOfAMinute) {
   EXPECT_THAT(script, HasSubstr("--array=1-12\n"));
 }
 
-TEST_F(SlurmJobTest, LimitsLieAboveTheEstimates) {
+TEST_F(SlurmJobTest, StatesItsThreadsAndItsName) {
   const std::string script = tasks_script(job(3, 100.0));
-  EXPECT_THAT(script, HasSubstr("--time=15\n")) << "three times 100 s and 10 minutes";
-  EXPECT_THAT(script, HasSubstr("--mem=1756M\n")) << "1.5 times 1000 MiB and 256";
   EXPECT_THAT(script, HasSubstr("--cpus-per-task=2\n"));
   EXPECT_THAT(script, HasSubstr("--job-name=its_folder_s__HOME__job__50_-tasks\n"));
-  EXPECT_THAT(merge_script(job(3, 100.0)), HasSubstr("--time=12\n"));
-  EXPECT_THAT(merge_script(job(3, 100.0)), HasSubstr("--mem=1006M\n"));
 }
 
 TEST_F(SlurmJobTest, WhatFailsIsTriedTwice) {
@@ -183,8 +177,10 @@ TEST_F(SlurmJobTest, EveryScriptIsOneOfAShell) {
 
 TEST_F(SlurmJobTest, SaysHowToStartTheScripts) {
   const std::string text = how_to_submit(job(7, 10.0));
-  EXPECT_THAT(text, HasSubstr("7 tasks in an array of 2, each at most 1756 MiB and 13 min"));
-  EXPECT_THAT(text, HasSubstr("/submit.sh' [--partition="));
+  EXPECT_THAT(text, HasSubstr("7 tasks in an array of 2; the slowest is estimated at 10 s, the "
+                              "largest at 1000 MiB with 2 threads; the merge at 30 s and 500 MiB"));
+  // three times the 60 s of an element and 10 minutes; 1.5 times 1000 MiB and 256
+  EXPECT_THAT(text, HasSubstr("/submit.sh' --time=13 --mem=1756M [--partition="));
   EXPECT_THAT(text, HasSubstr("/parallel.sh' [-S host1,host2]"));
 }
 
