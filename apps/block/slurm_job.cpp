@@ -68,7 +68,7 @@ std::string sbatch_script(const SlurmJob& job,
                           std::string_view name,
                           std::string_view head,
                           std::string_view step) {
-  return fmt::format(R"(#!/bin/sh
+  return fmt::format(R"sh(#!/bin/sh
 # Written by `ridgeline block --slurm`; submit.sh submits it.
 #SBATCH --job-name={label}-{name}
 #SBATCH --nodes=1
@@ -86,7 +86,7 @@ step || {{
   sleep "${{RIDGELINE_RETRY_S:-60}}"
   step
 }}
-)",
+)sh",
                      fmt::arg("label", label_of(job)), fmt::arg("name", name),
                      fmt::arg("threads", job.threads), fmt::arg("head", head),
                      fmt::arg("folder", shell_quoted(job.working_folder)),
@@ -111,7 +111,8 @@ std::string limits_of(const SlurmJob& job) {
 
 std::string tasks_script(const SlurmJob& job) {
   check(job.n_tasks > 0, "n_tasks = ", job.n_tasks, ", must be positive");
-  const std::string head = fmt::format(R"(#SBATCH --array=1-{n_elements}
+  const std::string head =
+      fmt::format(R"sh(#SBATCH --array=1-{n_elements}
 #SBATCH --output=logs/tasks.%a.log
 set -u
 n_tasks={n_tasks}
@@ -119,22 +120,21 @@ tasks_per_element={per_element}
 first=$(((SLURM_ARRAY_TASK_ID - 1) * tasks_per_element + 1))
 last=$((first + tasks_per_element - 1))
 [ "$last" -le "$n_tasks" ] || last=$n_tasks
-echo "Tasks $first-$last on $SLURMD_NODENAME, restart ${{SLURM_RESTART_COUNT:-0}}, $(date)")",
-                                       fmt::arg("n_elements", n_elements(job)),
-                                       fmt::arg("n_tasks", job.n_tasks),
-                                       fmt::arg("per_element", tasks_per_element(job)));
+echo "Tasks $first-$last on $SLURMD_NODENAME, restart ${{SLURM_RESTART_COUNT:-0}}, $(date)")sh",
+                  fmt::arg("n_elements", n_elements(job)), fmt::arg("n_tasks", job.n_tasks),
+                  fmt::arg("per_element", tasks_per_element(job)));
   return sbatch_script(job, "tasks", head, "--task \"$first-$last\"");
 }
 
 std::string merge_script(const SlurmJob& job) {
-  return sbatch_script(job, "merge", R"(#SBATCH --output=logs/merge.log
+  return sbatch_script(job, "merge", R"sh(#SBATCH --output=logs/merge.log
 set -u
-echo "Merge on $SLURMD_NODENAME, restart ${SLURM_RESTART_COUNT:-0}, $(date)")",
+echo "Merge on $SLURMD_NODENAME, restart ${SLURM_RESTART_COUNT:-0}, $(date)")sh",
                        "--merge");
 }
 
 std::string submit_script(const SlurmJob& job) {
-  return fmt::format(R"(#!/bin/sh
+  return fmt::format(R"sh(#!/bin/sh
 # Submits the tasks of a block and their merge to Slurm. Takes options of sbatch for both, such as
 # --time, --mem, --account and --partition. May be submitted again: finished tasks take no time.
 set -eu
@@ -145,12 +145,12 @@ tasks=${{tasks%%;*}}  # the name of a cluster may follow
 # Not afterok: of what failed the merge says what is missing.
 merge=$(sbatch --parsable "$@" --dependency="afterany:$tasks" merge.sbatch)
 echo "Job $tasks does the tasks, job ${{merge%%;*}} merges. Logs are in $PWD/logs"
-)",
+)sh",
                      fmt::arg("folder", shell_quoted(job.folder)));
 }
 
 std::string parallel_script(const SlurmJob& job) {
-  return fmt::format(R"(#!/bin/sh
+  return fmt::format(R"sh(#!/bin/sh
 # The tasks of a block and their merge by GNU parallel. Takes options of parallel, such as -j 4,
 # --memfree 2G or -S host1,host2. May be started again: finished tasks take no time.
 set -u
@@ -160,7 +160,7 @@ seq {n_tasks} |
   parallel -q --wd "$PWD" -j {share}% --retries 2 --joblog {joblog} "$@" \
     {command} --task {{}}
 {command} --merge
-)",
+)sh",
                      fmt::arg("logs", shell_quoted(job.folder + "/logs")),
                      fmt::arg("working_folder", shell_quoted(job.working_folder)),
                      fmt::arg("n_tasks", job.n_tasks),

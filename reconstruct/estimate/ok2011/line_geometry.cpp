@@ -137,7 +137,9 @@ bool assign_geometry(const TrackedLines& lines,
   const auto other = endpoints(estimate, frames.of(track.other()), track.other(), views);
   const ObjectConditioning& object = frames.object;
   UncertainSegment3 used = *base;
-  if (lines.common_part || track.observations.size() > 2)
+  // a part of a cut track ends where its base segment was cut
+  const bool is_common = lines.common_part && result.part == 0;
+  if (is_common || track.observations.size() > 2)
     used = part_of_two_views(frames, track, estimate, base->segment).value_or(used);
   result.segment_in_local = local_from_conditioned(object, used.segment);
   result.covariance_m2 = object.scale_m * object.scale_m * used.cov;

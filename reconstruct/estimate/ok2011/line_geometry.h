@@ -30,8 +30,9 @@ double largest_sigma_z_m(const Matrix6d& cov_m2);
 /// Sets the geometry of the result to the part of the line that its views show.
 /// - to the farthest ends that two views show, each the median of the views that agree within 3
 ///   sigma;
-/// - without TrackedLines::common_part, where there are only two segments, and where no part is
-///   common to two views: between the ends of the base segment.
+/// - between the ends of the base segment: of two segments without TrackedLines::common_part or of
+/// a
+///   part of a cut track, and where no part is common to two views.
 /// Returns false and changes nothing if a camera does not see the line between its base ends.
 bool assign_geometry(const TrackedLines& lines,
                      const ObservedTrack& track,

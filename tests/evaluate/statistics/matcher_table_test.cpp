@@ -44,7 +44,7 @@ TEST(MatcherTable, HasTwoBlocksInATerminalMatchesAndLines) {
   const std::vector<MatcherFigures> rows{figures("1", "pairwise"), figures("1", "chio")};
   const std::string text = to_terminal(rows);
   EXPECT_THAT(text, AllOf(HasSubstr("  quality %\n1      pairwise  "),
-                          HasSubstr("       69.2\n\npatch  run                  "),
+                          HasSubstr("       69.2\n\npatch  run       "),
                           HasSubstr("  4             0  0.300 (50/100)    0.100 (20)      5.0")));
 }
 
