@@ -13,12 +13,12 @@
 namespace ridgeline::apps {
 namespace {
 
-/// Slurm's default of MaxArraySize is 1001, and the numbers of elements must be below it.
+/// Slurm's default of MaxArraySize is 1001, and element numbers must be below it.
 constexpr std::size_t kMaxElements = 1000;
-/// Slurm takes 0.2 s to start an element.
+/// Slurm needs 0.2 s to start an element.
 constexpr double kMinElementTime_s = 60.0;
-/// Margins over what is estimated: hosts differ and share their disks; an element may wait for its
-/// second attempt; the shell and libraries need memory, too.
+/// Margins on the estimates: hosts differ and share disks; an element may wait for its second
+/// attempt; the shell and libraries need memory, too.
 constexpr double kTimeMargin = 3.0;
 constexpr double kMoreTime_s = 600.0;
 constexpr double kMemoryMargin = 1.5;
@@ -27,7 +27,7 @@ constexpr double kMoreMemoryMib = 256.0;
 constexpr std::string_view kPlain =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./,:=+@-";
 
-/// A word that a shell takes as it is.
+/// Quotes a word so that a shell takes it literally.
 std::string shell_quoted(const std::string& word) {
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
   std::string quoted = "'";
@@ -41,7 +41,7 @@ std::string shell_quoted(const std::string& word) {
   return quoted + "'";
 }
 
-/// The command without its step. Its number of threads is what the job asks for.
+/// The command without its step. It uses the number of threads that the job requests.
 std::string command_of(const SlurmJob& job) {
   std::string command = fmt::format("{} --jobs {}", shell_quoted(job.program), job.threads);
   for (const std::string& word : job.words) command += " " + shell_quoted(word);
@@ -62,7 +62,7 @@ std::size_t n_elements(const SlurmJob& job) {
   return quotient_up(job.n_tasks, tasks_per_element(job));
 }
 
-/// The limit of time for work that is estimated to take so long.
+/// The time limit for work with this estimated time.
 int limit_min(double estimated_s) {
   return static_cast<int>(std::ceil((kTimeMargin * estimated_s + kMoreTime_s) / 60.0));
 }
@@ -76,8 +76,8 @@ int limit_mib(double estimated_mib) {
   return static_cast<int>(std::ceil(kMemoryMargin * estimated_mib + kMoreMemoryMib));
 }
 
-/// A label, after the folder of the block: #SBATCH lines have rules of their own for blanks and
-/// quotes.
+/// A label derived from the folder of the block, because #SBATCH lines have special rules for
+/// blanks and quotes.
 std::string job_name(const SlurmJob& job, std::string_view step) {
   std::string name =
       fmt::format("{}-{}", std::filesystem::path(job.folder).filename().string(), step);
@@ -102,7 +102,7 @@ std::string sbatch_lines(const SlurmJob& job, std::string_view step, int mib, in
       job_name(job, step), job.threads, mib, minutes);
 }
 
-/// Slurm does not repeat what failed, so the script does. What is finished takes no time again.
+/// Slurm does not repeat failed work, so the script does. Finished work is not repeated.
 std::string in_two_attempts(const SlurmJob& job, std::string_view step) {
   return fmt::format(
       "cd {} || exit\n"
@@ -175,7 +175,7 @@ std::string submit_script(const SlurmJob& job) {
 
 std::string parallel_script(const SlurmJob& job) {
   const std::string command = command_of(job);
-  // A share of the cores, so that it holds on every host of -S.
+  // A share of the cores, so that it is valid on every host of -S.
   const int share = std::max(1, 100 / job.threads);
   return fmt::format(
       "#!/bin/sh\n"
