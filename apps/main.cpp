@@ -139,10 +139,10 @@ void add_global_options(CLI::App& app, GlobalOptions& options) {
   app.add_option("--log-level", options.log_level, "log level: debug, info, warning or error")
       ->check(CLI::IsMember({"debug", "info", "warning", "error"}))
       ->option_text("LEVEL=info")
-      ->group("");  // --quiet is what most need, and the help fits one screen without
+      ->group("");  // most users only need --quiet, and without it the help fits one screen
 }
 
-/// What is logged, with flags in place of the libraries' names of options.
+/// The log message, with option names of the libraries replaced by flags.
 class MessageWithFlags : public spdlog::custom_flag_formatter {
  public:
   void format(const spdlog::details::log_msg& message,
@@ -165,15 +165,15 @@ void set_up_log(const GlobalOptions& options) {
   spdlog::set_default_logger(log);
 }
 
-/// Libraries put line breaks into some of their messages; scripts read one line.
+/// Some messages of libraries contain line breaks; scripts read one line.
 int fail(std::string message, ExitCode code) {
   std::replace(message.begin(), message.end(), '\n', ' ');
   fmt::print(stderr, "ridgeline: {}\n", as_flags(message));
   return code;
 }
 
-/// The words that a user may have meant: the options of the given subcommand and the global ones.
-/// Without a subcommand the commands are among them.
+/// The words that a user may have meant: the options of the given subcommand and the global ones;
+/// without a subcommand, also the commands.
 std::vector<std::string> known_words(const CLI::App& app) {
   std::vector<std::string> words;
   const std::vector<CLI::App*> given = app.get_subcommands();
@@ -189,8 +189,8 @@ std::vector<std::string> known_words(const CLI::App& app) {
   return words;
 }
 
-/// CLI11 reports a missing option before an unknown word. The unknown word is reported instead:
-/// often it is the missing option, misspelled.
+/// CLI11 reports a missing option before an unknown word. Report the unknown word instead, because
+/// it is often the missing option, misspelled.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<CLI::App*> given = app.get_subcommands();
   const std::string help =
@@ -229,7 +229,7 @@ int parse_and_run(CLI::App& app, int argc, char** argv) {
     subcommand->callback([&chosen, run] { chosen = run; });
   }
   app.get_help_ptr()->group(
-      "");  // who reads this has found it, and its line makes two screens of one
+      "");  // readers of the help already know it, and its line would need a second screen
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -259,7 +259,7 @@ int guarded_main(int argc, char** argv) {
   }
 }
 
-/// A closed stream would give its number to the next file opened, and what is printed would go
+/// The number of a closed stream would be reused for the next file opened, and output would go
 /// there.
 void open_standard_streams() {
   for (const auto& [stream, device] :
@@ -269,15 +269,15 @@ void open_standard_streams() {
   }
 }
 
-/// What is printed is held back until the results are complete, so that nothing that happens to the
-/// reader ends the work halfway.
+/// Buffers the output until the results are complete, so that a reader that exits early does not
+/// interrupt the work.
 void hold_back_stdout() {
   static std::array<char, std::size_t{1} << 20U> buffer;  // without it glibc ignores the size
   std::signal(SIGPIPE, SIG_IGN);
   if (isatty(STDOUT_FILENO) == 0) std::setvbuf(stdout, buffer.data(), _IOFBF, buffer.size());
 }
 
-/// A reader that closes its end early, such as `head`, is no fault.
+/// A reader that closes its end early, such as `head`, is not an error.
 int end_of_stdout(int code) {
   if (std::fflush(stdout) == 0 || errno == EPIPE) return code;
   return fail(

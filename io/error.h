@@ -6,7 +6,8 @@
 
 namespace ridgeline::io {
 
-/// A fault of a file. Message: "PATH: what is wrong: value, and the rule it breaks", one line.
+/// An error concerning a file. Message: "PATH: what is wrong: value, and the rule it breaks", one
+/// line.
 class IoError : public std::runtime_error {
  public:
   IoError(const std::string& path, const std::string& message)
@@ -18,7 +19,7 @@ class IoError : public std::runtime_error {
   std::string path_;
 };
 
-/// The error for a file or folder that is not there.
+/// The error for a file or folder that does not exist.
 class MissingFileError : public IoError {
  public:
   using IoError::IoError;

@@ -33,7 +33,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// The name of the matcher of those matches that height propagation adds to `pairwise`.
+/// The matcher name of guided matches.
 constexpr const char* kGuided = "guided";
 
 const Surface* address(const std::optional<Surface>& surface) {
@@ -60,7 +60,7 @@ std::vector<Correspondence> found_by(const char* matcher, std::vector<Correspond
   return matches;
 }
 
-/// Adds matches of a matcher to the list, for segments that have none.
+/// Adds matches of a matcher to the list, for segments without a match.
 void add_found(const char* matcher, const std::vector<Correspondence>& matches, MatchList& list) {
   for (const Correspondence& match : found_by(matcher, matches)) {
     list.matches.push_back(match);
@@ -87,7 +87,7 @@ MatchList list_of(const ChioResult& chio) {
   return {found_by(name(Matcher::kChio), matches_of(chio)), reasons_of(chio.outcomes)};
 }
 
-/// The connections of tracks that two views of a pair show beside each other.
+/// The connections of tracks that both views of a pair show.
 std::vector<PairConnection> connections_of(const Scene& scene,
                                            std::span<const Track> tracks,
                                            std::span<const UsedPair> pairs) {
@@ -113,8 +113,8 @@ std::vector<PairConnection> connections_of(const Scene& scene,
   return all;
 }
 
-/// Beyond the papers: looks for the counterparts of segments without one where the surface predicts
-/// them.
+/// Beyond the papers: searches for the counterparts of unmatched segments where the surface
+/// predicts them.
 void guide(const StereoPair& pair, const Options& options, PairMatches& matches) {
   const MatchExtensionOptions& beyond = options.matching.beyond;
   if (!beyond.guided || !matches.surface) return;
@@ -127,7 +127,7 @@ void guide(const StereoPair& pair, const Options& options, PairMatches& matches)
   matches.guided = std::move(found.counterparts);
 }
 
-/// Adjusts each line to the faces beside it that the pair of its first two observations shows.
+/// Adjusts each line to the faces beside it, as given by the pair of its first two observations.
 void adjust_to_faces(std::span<const UsedPair> pairs, std::vector<ReconstructedLine>& lines) {
   std::map<const Surface*, PlaneFaces> faces;
   for (const UsedPair& pair : pairs) {
@@ -140,7 +140,7 @@ void adjust_to_faces(std::span<const UsedPair> pairs, std::vector<ReconstructedL
   }
 }
 
-/// The lines of matched edges, by a method of tracks.
+/// The lines of matched edges, by a method that works on tracks.
 std::vector<ReconstructedLine> lines_of_edges(const Scene& scene,
                                               std::span<const Track> tracks,
                                               std::span<const UsedPair> pairs,

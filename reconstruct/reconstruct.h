@@ -26,7 +26,7 @@ const char* name(Matcher matcher);  ///< "pairwise" | "chio"
 
 struct MatchingOptions {
   Matcher matcher = Matcher::kPairwise;
-  CandidateOptions candidates;  ///< of both matchers
+  CandidateOptions candidates;  ///< for both matchers
   MatchOptions pairwise;
   ChioOptions chio;
   MatchExtensionOptions beyond;
@@ -34,17 +34,17 @@ struct MatchingOptions {
   TrackOptions tracks;
 };
 
-/// The options of all stages. The defaults are the best we know.
+/// The options of all stages. The defaults are the best-performing settings.
 struct Options {
   ExtractionOptions extraction;
   MatchingOptions matching;
   EstimationOptions estimation;
 };
 
-/// The options for what the papers state without our extensions. The votes of the matching still
-/// rest on the appearance of single lines. Our calibrated values stand where the papers are silent
-/// (weights of the eight constraints, thresholds of the matching, the detection of edges).
-/// Method::kNetwork is not of a paper.
+/// The options for the papers' methods without our extensions. The votes of the matching still use
+/// the appearance of single lines. Our calibrated values are used where the papers give none
+/// (weights of the eight constraints, thresholds of the matching, edge detection). Method::kNetwork
+/// does not come from a paper.
 Options published();
 
 /// The matches of a pair.
@@ -57,67 +57,67 @@ struct MatchList {
 struct PairMatches {
   ViewPair views;
   MatchList list;
-  std::optional<ChioResult> chio;  ///< if this is the matcher
-  /// Segments found while matching, in the base and the search view. Their ids go on from those of
+  std::optional<ChioResult> chio;  ///< only if this is the matcher
+  /// Segments found during matching, in the base and the search view. Their ids continue those of
   /// the view's segments.
   std::array<std::vector<EdgeSegment>, 2> guided{};
-  std::optional<Surface> surface;  ///< none if no option asks for it or the pair has none
+  std::optional<Surface> surface;  ///< empty if no option requires it or the pair has none
 };
 
 struct Reconstruction {
-  /// In the local frame that all lines are in, with images and segments, those found while matching
-  /// too.
+  /// In the local frame, as are all lines; with images and segments, including those found during
+  /// matching.
   Scene scene;
   std::vector<PairMatches> pairs;  ///< without their surfaces
   std::vector<Track> tracks;
   std::vector<ReconstructedLine> lines;
 };
 
-/// 3D lines of oriented images. The steps are: segments of each view, matches of pairs, tracks of
-/// all views, lines of the tracks with covariance and status (Ok et al. 2011, sections 2 and 3, and
-/// Chio and Wang 2000). What goes beyond the papers is done as the options say; the method is
-/// Method::kJoint unless they name another one. Programs that keep files in between call extract(),
-/// match_all() and estimate() in this order.
+/// Reconstructs 3D lines from oriented images. The steps are: segments of each view, matches of
+/// pairs, tracks of all views, lines of the tracks with covariance and status (Ok et al. 2011,
+/// sections 2 and 3, and Chio and Wang 2000). The options control the extensions beyond the papers
+/// and the method, which is Method::kJoint by default. Programs that store intermediate results
+/// call extract(), match_all() and estimate() in this order.
 /// @param scene  its views have images and no segments
 /// @param pairs  default: pairs_of()
 /// The result is the same for any number of threads. Throws std::invalid_argument for fewer than
 /// two views, a pair that does not name two different views, options or heights out of range,
-/// images of other types or different numbers of bands, and Method::kPlanes for a pair without a
-/// surface.
+/// images of unsupported types or with different numbers of bands, and Method::kPlanes if no pair
+/// has a surface.
 Reconstruction reconstruct(Scene scene,
                            const Options& options = {},
                            std::span<const ViewPair> pairs = {});
 
-/// Normalises the images of the views of one place and finds their segments, those of all views at
-/// a common size. A view with View::own_segments keeps these.
+/// Normalises the images of views of the same area and extracts their segments, in all views at a
+/// common image size. A view with View::own_segments keeps its segments.
 void extract(std::span<View> views, const ExtractionOptions& options = {});
 
-/// The segments of a view by itself.
+/// The segments of a single view.
 std::vector<EdgeSegment> extract(View view, const ExtractionOptions& options = {});
 
-/// The pairs of views to be matched: choose_pairs(), or the first two views alone if the options
-/// say so.
+/// The pairs of views to be matched: choose_pairs(), or only the first two views if the options say
+/// so.
 std::vector<ViewPair> pairs_of(const Scene& scene, const Options& options = {});
 
-/// The matches of a pair of views with segments. The result has its surface, the matches of each
-/// matcher, those of both together (all of `pairwise`, and those of `chio` for the segments that it
-/// left unmatched), and guided ones (guided_matches()).
+/// The matches of a pair of views with segments. The result has its surface, the matches of the
+/// chosen matcher and the guided ones (guided_matches()).
 PairMatches match(const Scene& scene, const ViewPair& views, const Options& options = {});
 
-/// The surface of a pair that match() uses; nothing if no option asks for it or the pair has none.
+/// The surface of a pair that match() uses; empty if no option requires it or the pair has none.
 std::optional<Surface> surface_of(const StereoPair& pair, const Options& options = {});
 
-/// Appends the segments that were found while matching to those of the views. Their ids in the
-/// matches go on from those of the pairs before.
+/// Appends the segments found during matching to those of the views. Their ids in the matches
+/// continue those of the preceding pairs.
 void add_guided(Scene& scene, std::span<PairMatches> pairs);
 
-/// What several views show of one edge each. Of a single pair, track i is match i.
+/// The tracks: the observations of one edge in several views. For a single pair, track i is match
+/// i.
 /// @param scene  has the segments that the matches refer to; see add_guided()
 std::vector<Track> tracks_of(const Scene& scene,
                              std::span<const PairMatches> pairs,
                              const Options& options = {});
 
-/// The matches of several pairs, and the tracks of all views that they give.
+/// The matches of several pairs, and the resulting tracks over all views.
 struct Matched {
   std::vector<PairMatches> pairs;
   std::vector<Track> tracks;
@@ -126,7 +126,7 @@ struct Matched {
 /// match() of each pair, add_guided() and tracks_of().
 Matched match_all(Scene& scene, std::span<const ViewPair> pairs, const Options& options = {});
 
-/// A pair whose matches the tracks are made of.
+/// A pair whose matches the tracks were formed from.
 struct UsedPair {
   ViewPair views;
   const Surface* surface = nullptr;  ///< see surface_of()
@@ -136,14 +136,14 @@ std::vector<UsedPair> used_pairs(std::span<const PairMatches> pairs);
 std::vector<UsedPair> used_pairs(std::span<const ViewPair> pairs,
                                  std::span<const std::optional<Surface>> surfaces);
 
-/// The lines of tracks.
+/// Estimates the lines of tracks.
 /// @param scene  has the segments that the tracks refer to
 std::vector<ReconstructedLine> estimate(const Scene& scene,
                                         std::span<const Track> tracks,
                                         std::span<const UsedPair> pairs,
                                         const Options& options = {});
 
-/// Throws std::invalid_argument naming the first option that is out of range.
+/// Throws std::invalid_argument, which names the first option that is out of range.
 void validate(const Options& options);
 
 }  // namespace ridgeline::reconstruct

@@ -13,8 +13,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// How the profiles across the base edge of each track and across its other edges compare, by
-/// observation. The first one is compared with nothing.
+/// Comparison of the profile across the base edge of each track with those across its other edges,
+/// by observation. The first one is not compared.
 std::vector<std::vector<ComparedProfiles>> profiles_of(const Scene& scene,
                                                        std::span<const Track> tracks,
                                                        double max_angle_deg) {
@@ -44,8 +44,8 @@ std::vector<std::vector<ComparedProfiles>> profiles_of(const Scene& scene,
   return profiles;
 }
 
-/// The registrations of each track by the profiles across its edges. The base edge is as certain as
-/// the one that is most like it.
+/// The registrations of each track from the profiles across its edges. The base edge is as certain
+/// as the edge most similar to it.
 std::vector<Registrations> registrations_by_profiles(const Scene& scene,
                                                      std::span<const Track> tracks,
                                                      const EstimationOptions& options) {
@@ -68,7 +68,7 @@ std::vector<Registrations> registrations_by_profiles(const Scene& scene,
 }
 
 /// Scales the sigmas of each track by how well its observations agree.
-/// @param registrations  those of `tracked`
+/// @param registrations  of `tracked`
 void scale_by_agreement(const TrackedSegments& tracked, std::vector<Registrations>& registrations) {
   const std::vector<ObservedTrack> lines =
       tracked_lines(tracked, registered(tracked), LineCovariance::kCentroid).lines;

@@ -9,10 +9,10 @@
 
 namespace ridgeline::reconstruct {
 
-/// Where the edges of each track really are and how certain that is, as the options say: by the
-/// profiles across them (compare_profiles(), own_sigma_scale()), then by how well they agree
-/// (agreement_sigma_scale()). One per track; empty if there are no tracks or the options ask for
-/// neither.
+/// The corrected positions of the edges of each track and their uncertainty, as required by the
+/// options: from the profiles across the edges (compare_profiles(), own_sigma_scale()), then from
+/// how well the edges agree (agreement_sigma_scale()). One per track; empty if there are no tracks
+/// or the options require neither.
 /// @param scene    its views have images
 /// @param tracked  without registrations
 std::vector<Registrations> registrations_of(const Scene& scene,

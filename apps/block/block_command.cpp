@@ -31,7 +31,7 @@ struct BlockArguments {
   RunFlags flags;
 };
 
-/// Tasks first..last, numbered from 0.
+/// The first and last task, numbered from 0.
 std::pair<std::size_t, std::size_t> tasks_of(const std::string& text, std::size_t n) {
   const std::size_t dash = text.find('-');
   const auto first = io::to_double(text.substr(0, dash));
@@ -50,8 +50,8 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
-/// Runs tasks one after another, and says after each how long the rest will take. A task that fails
-/// is told, and the others go on.
+/// Runs tasks one after another and prints the estimated remaining time after each. Failures are
+/// reported, and the remaining tasks still run.
 /// @return the number of tasks that failed
 std::size_t run_tasks(FramesBlock& block, std::size_t first, std::size_t last) {
   using Clock = std::chrono::steady_clock;
@@ -89,10 +89,10 @@ std::string estimate_text(const FramesBlock& block) {
                      block.n_tasks(), duration_text(all.seconds), all.memory_mib);
 }
 
-/// `jobs`: as the command line states it, 0 without.
+/// `jobs`: from the command line, or 0.
 int run_block(const BlockArguments& a, int jobs) {
   RunOptions options = run_options(a.flags);
-  options.n_decoys = 0;  // parts of a block know only some of its lines
+  options.n_decoys = 0;  // parts of a block contain only some of its lines
   FramesBlock block(a.file, a.out, std::move(options));
   const bool is_one_step = !a.task.empty() || a.merge;
   const std::filesystem::path plan = std::filesystem::path(a.out) / "plan.json";
@@ -111,7 +111,7 @@ int run_block(const BlockArguments& a, int jobs) {
     return kDone;
   }
   if (a.slurm) {
-    // A task with one thread does most in its processor time, and there are many tasks.
+    // Tasks with one thread use processor time most efficiently, and there are many tasks.
     write_cluster_files(block, a.out, std::max(jobs, 1));
     return kDone;
   }

@@ -12,18 +12,18 @@
 
 namespace ridgeline::apps {
 
-/// The heights that the patches of a block search in.
+/// The height ranges to be searched for the patches of a block.
 class BlockHeights {
  public:
-  /// Reads a sample of the LIDAR if the block takes its heights from it. Throws IoError if no point
-  /// lies in the area of the block.
+  /// Reads a sample of the LIDAR if the block derives its heights from it. Throws IoError if no
+  /// point lies in the area of the block.
   explicit BlockHeights(const io::BlockFile& block);
 
-  /// As the block states them, else the lowest and highest height in an area and kHeightMargin_m
-  /// more on both sides; of an area without LIDAR those of the whole block.
+  /// The heights stated by the block, else the lowest and highest height in the area with
+  /// kHeightMargin_m on both sides; for an area without LIDAR, those of the whole block.
   [[nodiscard]] std::array<double, 2> range_m(const Eigen::AlignedBox2d& area_m) const;
 
-  /// The box of the sample in plan; empty if none was read.
+  /// The bounding box of the sample in plan; empty if none was read.
   [[nodiscard]] const Eigen::AlignedBox2d& extent_m() const { return extent_m_; }
 
  private:

@@ -13,14 +13,14 @@
 
 namespace ridgeline::apps {
 
-/// A frame with the values that become 0 and 1, by band.
+/// A frame with the values that map to 0 and 1, by band.
 struct PlannedFrame {
   FileState file;
   std::string id;
   std::vector<std::array<double, 2>> radiometry;
 };
 
-/// A square of the block, and what its task reconstructs.
+/// A square of the block and the inputs of its task.
 struct PlannedPatch {
   std::string id;  ///< COLUMN_ROW of its square
   reconstruct::GridCell cell;
@@ -28,35 +28,34 @@ struct PlannedPatch {
   Eigen::AlignedBox2d area_m;  ///< with the overlap
   std::array<double, 2> height_range_m{};
   std::vector<std::string> images;  ///< ids of frames, the base image first
-  double windows_mpx = 0.0;         ///< all windows together
+  double windows_mpx = 0.0;         ///< total of all windows
   double estimated_s = 0.0;         ///< processor time of its task
   double estimated_mib = 0.0;       ///< memory of its task
 };
 
-/// How a block is cut into patches: what `--plan` writes and all other steps read.
+/// The division of a block into patches: written by `--plan`, read by all other steps.
 struct BlockPlan {
   std::string block;  ///< name
   std::string block_file;
-  std::string key;  ///< of all that the plan depends on
+  std::string key;  ///< of everything on which the plan depends
   std::string crs;
   double patch_size_m = 0.0;
   double overlap_m = 0.0;
-  std::vector<Eigen::Vector2d>
-      area_m;                         ///< convex, counter-clockwise; empty if the block states none
-  Eigen::AlignedBox2d extent_m;       ///< of all squares, with and without views
-  std::vector<FileState> inputs;      ///< all but frames
-  std::vector<PlannedFrame> frames;   ///< that a patch uses
-  std::vector<PlannedPatch> patches;  ///< in the order of their squares
-  std::size_t n_without_views = 0;    ///< squares that fewer than two images show
+  std::vector<Eigen::Vector2d> area_m;  ///< convex, counter-clockwise; empty if not stated
+  Eigen::AlignedBox2d extent_m;         ///< of all squares, with and without views
+  std::vector<FileState> inputs;        ///< all except frames
+  std::vector<PlannedFrame> frames;     ///< used by a patch
+  std::vector<PlannedPatch> patches;    ///< in the order of their squares
+  std::size_t n_without_views = 0;      ///< squares shown in fewer than two images
   std::vector<std::string> warnings;
 };
 
-/// The squares that the patches belong to.
+/// The grid of the squares of the patches.
 reconstruct::PatchGrid grid_of(const BlockPlan& plan);
 
 std::string to_json(const BlockPlan& plan);
 
-/// Throws IoError for a file that to_json() did not make.
+/// Throws IoError for a file that is not output of to_json().
 BlockPlan read_block_plan(const std::string& path);
 
 /// Throws IoError unless is_unchanged().

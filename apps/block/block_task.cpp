@@ -37,7 +37,7 @@ BlockTask::BlockTask(const fs::path& folder,
     frames_.push_back(std::ranges::find(plan.frames, id, &PlannedFrame::id)->file);
 }
 
-/// A new plan of the same block leaves the key as it is for all patches that it does not change.
+/// A new plan for the same block does not change the keys of patches that it leaves unchanged.
 std::string BlockTask::key() const {
   std::vector<std::string> parts{
       patch_.id, patch_.crs.definition, echo(options_.parameters).dump(),

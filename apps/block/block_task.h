@@ -11,11 +11,11 @@
 
 namespace ridgeline::apps {
 
-/// The task of one patch, in a folder of its own:
-///   patch.yaml   the patch, as `ridgeline run` takes it
-///   ID/, ...     what `ridgeline run patch.yaml --resume` writes
-///   stages.json  what the lines were made from, and their hashes; written last (MadeFrom)
-///   failed.txt   why it failed the last time
+/// The task of one patch, in its own folder:
+///   patch.yaml   the patch, as input for `ridgeline run`
+///   ID/, ...     output of `ridgeline run patch.yaml --resume`
+///   stages.json  the inputs of the lines, and their hashes; written last (MadeFrom)
+///   failed.txt   reason for the last failure
 class BlockTask {
  public:
   /// `folder`: of the block's results. `options`: of all tasks.
@@ -26,21 +26,22 @@ class BlockTask {
             const RunOptions& options);
 
   /// Whether the task is finished with these options, this plan and the block's cameras and poses,
-  /// its frames are as they were planned, and its lines still as it wrote them.
+  /// and neither its frames have changed since planning nor its lines since they were written.
   [[nodiscard]] bool is_done() const;
 
   /// Reconstructs the lines of the patch. Throws IoError, also for a frame that has changed since
-  /// the plan.
+  /// planning.
   void run() const;
 
-  /// What the plan says of it.
+  /// Its entry in the plan.
   [[nodiscard]] const PlannedPatch& planned() const { return planned_; }
   [[nodiscard]] std::string patch_path() const { return path("patch.yaml"); }
   /// The lines of a method. The task must be done.
   [[nodiscard]] std::string lines_path(reconstruct::Method method) const;
-  /// Why there are none: the reason of the last failure, or that it has not run with these options.
+  /// Why there are no lines: the reason for the last failure, or that the task has not run with
+  /// these options.
   [[nodiscard]] std::string reason() const;
-  /// Keeps the reason of a failure for reason().
+  /// Stores the reason for a failure for reason().
   void keep_failure(const std::string& reason) const;
 
  private:

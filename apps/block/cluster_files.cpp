@@ -14,7 +14,7 @@ namespace ridgeline::apps {
 namespace fs = std::filesystem;
 namespace {
 
-/// The words that this process was started with, without the program.
+/// The command-line arguments of this process, without the program.
 std::vector<std::string> own_words() {
   std::ifstream stream("/proc/self/cmdline", std::ios::binary);
   std::vector<std::string> words;
@@ -23,7 +23,7 @@ std::vector<std::string> own_words() {
   return words;
 }
 
-/// Without the step and the number of threads, which the scripts state themselves.
+/// The arguments without the step and the number of threads, which the scripts specify themselves.
 std::vector<std::string> words_of_all_steps() {
   const std::vector<std::string> own = own_words();
   std::vector<std::string> words;

@@ -7,8 +7,8 @@
 
 namespace ridgeline::apps {
 
-/// Writes the scripts of slurm_job.h into the folder of a block that is planned, and prints how to
-/// start them. They start this program as it was started, but for --slurm, with so many threads a
+/// Writes the scripts of slurm_job.h to the folder of a planned block and prints how to start them.
+/// They call this program with its current arguments except --slurm, with `threads` threads per
 /// task. Throws IoError if they cannot be written.
 void write_cluster_files(const FramesBlock& block, const std::string& folder, int threads);
 

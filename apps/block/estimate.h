@@ -6,14 +6,15 @@
 
 namespace ridgeline::apps {
 
-/// What a step is expected to need.
+/// The expected resources of a step.
 struct TaskEstimate {
-  double seconds = 0.0;  ///< of processor time
+  double seconds = 0.0;  ///< processor time
   double memory_mib = 0.0;
 };
 
-/// A task that reconstructs, with one thread and the default options. Simulated villages took 1.4
-/// to 3.0 s and 25 to 33 MiB a megapixel. `windows_mpx`: of all images of the patch.
+/// Estimate for a reconstruction task with one thread and the default options. Simulated villages
+/// took 1.4 to 3.0 s and 25 to 33 MiB per megapixel. `windows_mpx`: total of all images of the
+/// patch.
 constexpr TaskEstimate estimate_of_patch(double windows_mpx) {
   constexpr double kSecondsPerMpx = 2.0;
   constexpr double kMibPerMpx = 40.0;
@@ -21,8 +22,8 @@ constexpr TaskEstimate estimate_of_patch(double windows_mpx) {
   return {kSecondsPerMpx * windows_mpx, kProgramMib + kMibPerMpx * windows_mpx};
 }
 
-/// Judging takes most of it. `n_patches`: of the block, with a few hundred lines each.
-/// `lidar_bytes`: of all files of the cloud, which is read block by block.
+/// Judging takes most of the time. `n_patches`: in the block, with a few hundred lines each.
+/// `lidar_bytes`: total of all files of the cloud, which is read block by block.
 constexpr TaskEstimate estimate_of_merge(std::size_t n_patches, std::uint64_t lidar_bytes) {
   constexpr double kSecondsPerPatch = 0.5;
   constexpr double kBytesPerSecond = 40e6;  // LAZ; LAS is read faster

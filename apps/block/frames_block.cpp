@@ -21,7 +21,8 @@ namespace ridgeline::apps {
 namespace fs = std::filesystem;
 namespace {
 
-/// On a full disk the reason cannot be kept, and it matters more than that.
+/// An error in storing the reason, e.g. on a full disk, is only logged, because the reason matters
+/// more.
 void keep_failure(const BlockTask& task, const std::string& reason) {
   try {
     task.keep_failure(reason);
@@ -82,9 +83,9 @@ std::size_t FramesBlock::merge() {
   return n_missing;
 }
 
-/// Takes the plan that is there. Throws IoError if it is of another block, or if what it was made
-/// from has changed since; then the message names the file that changed, if it is a listed one.
-/// Frames are checked by the tasks that use them.
+/// Reads the existing plan. Throws IoError if it belongs to another block or if its inputs have
+/// changed since; the message names the changed file if the plan lists it. Frames are checked by
+/// the tasks that use them.
 void FramesBlock::take_plan() {
   plan_ = read_block_plan(plan_path());
   if (plan_->block_file != block_.path) {

@@ -13,34 +13,34 @@
 
 namespace ridgeline::apps {
 
-/// A block of frames to be reconstructed and judged, step by step. Each step may run in a process
-/// of its own, on any host that sees the same folders; tasks in any order and at the same time. The
-/// results have the same bytes in every case.
+/// A block of frames to be reconstructed and judged, step by step. Each step may run in its own
+/// process, on any host with access to the same folders; tasks may run in any order and
+/// concurrently. The results are byte-identical in every case.
 class FramesBlock {
  public:
-  /// `block_file` has images; results go to the folder `out`. Throws IoError if the file cannot be
-  /// read.
+  /// `block_file` must have images; results go to the folder `out`. Throws IoError if the file
+  /// cannot be read.
   FramesBlock(const std::string& block_file, const std::string& out, RunOptions options);
 
-  /// Writes the plan into the folder of the block. A plan that stands there and was made of the
-  /// same inputs stays; one of other inputs is an IoError.
+  /// Writes the plan to the folder of the block. An existing plan for the same inputs is kept; one
+  /// for other inputs is an IoError.
   void plan();
 
   /// The number of tasks. There must be a plan.
   [[nodiscard]] std::size_t n_tasks() const;
-  /// What messages call a task, 0 <= i < n_tasks().
+  /// The name of a task in messages, 0 <= i < n_tasks().
   [[nodiscard]] std::string name_of(std::size_t i) const;
 
-  /// What a task is expected to need, 0 <= i < n_tasks().
+  /// The expected resources of a task, 0 <= i < n_tasks().
   [[nodiscard]] TaskEstimate estimate_of_task(std::size_t i) const;
-  /// What the merge is expected to need. There must be a plan.
+  /// The expected resources of the merge. There must be a plan.
   [[nodiscard]] TaskEstimate estimate_of_merge() const;
 
-  /// Does a task unless its results are there. Throws IoError for a fault of its inputs, also if
-  /// they have changed since the plan.
+  /// Runs a task unless its results exist. Throws IoError for invalid inputs and for inputs that
+  /// have changed since planning.
   void run_task(std::size_t i);
 
-  /// Merges the results of all tasks. Says which tasks have none; their parts are left out.
+  /// Merges the results of all tasks. Reports tasks without results; their parts are left out.
   /// @return the number of tasks without results
   std::size_t merge();
 

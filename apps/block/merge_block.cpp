@@ -34,11 +34,11 @@ using evaluate::Evaluation;
 using reconstruct::GridCell;
 using reconstruct::Method;
 
-/// The lines of the block by one method, judged, with what belongs to each patch.
+/// The judged lines of the block by one method, with the results of each patch.
 struct MethodResult {
   Evaluation evaluation;
   results::TruthRows truth;
-  std::vector<Evaluation> by_patch;  ///< of patches with lines
+  std::vector<Evaluation> by_patch;  ///< only patches with lines
   std::vector<results::TruthRows> truth_by_patch;
   std::vector<PatchOutcome> outcomes;  ///< of all patches
 };
@@ -78,7 +78,7 @@ class BlockMerge {
     return paths;
   }
 
-  /// Throws IoError for a file of somebody else where results go.
+  /// Throws IoError if a result would overwrite a foreign file.
   void check_outputs() const {
     std::vector<std::string> names = results::result_names({});
     names.emplace_back("patches.csv");
@@ -139,7 +139,7 @@ class BlockMerge {
                  {"n_merged", patch_of_line.size()}});
   }
 
-  /// The frames of the block as a patch, so that image segments of the lines are evidence.
+  /// The frames of the block as a patch, so that the image segments of the lines serve as evidence.
   [[nodiscard]] io::Patch frames_as_patch() const {
     io::Patch patch{static_cast<const io::Project&>(block_)};
     patch.id = plan_.block;
@@ -174,7 +174,8 @@ class BlockMerge {
     for (evaluate::ReferenceRow& row : truth.references) row.method = name;
   }
 
-  /// The lines of each patch, and of its neighbours, which lines that cross a seam may belong to.
+  /// Splits the results by patch. Reference lines are also compared with the lines of neighbouring
+  /// patches, to which lines that cross a seam may belong.
   MethodResult split(const results::JudgedFiles& judged,
                      std::size_t method,
                      const std::optional<io::Patch>& frames) const {
@@ -263,7 +264,7 @@ class BlockMerge {
     return by_patch;
   }
 
-  /// Rows of one patch stand together, those of the block first.
+  /// Writes the tables with rows grouped by patch, those of the block first.
   void write_all_tables() const {
     std::vector<Evaluation> evaluations;
     std::vector<results::TruthRows> truth;

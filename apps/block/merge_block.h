@@ -10,15 +10,15 @@
 
 namespace ridgeline::apps {
 
-/// Merges what the finished tasks found, judges the merged lines once against all of the LIDAR, and
-/// writes into the folder
+/// Merges the lines of the finished tasks, judges the merged lines once against all of the LIDAR,
+/// and writes to the folder
 ///   lines.METHOD.{geojson,gpkg}   the lines of the block
 ///   evaluation.METHOD.json, judged.METHOD.gpkg, table2.*, ...
-///                  as `ridgeline evaluate` writes them; a row of each table for the block, and one
+///                  as written by `ridgeline evaluate`; each table has a row for the block and one
 ///                  for every patch
-///   patches.csv    what became of each patch
+///   patches.csv    the outcome of each patch
 ///   run.json, report.html
-/// Says which patches have no lines, and why.
+/// Reports which patches have no lines, and why.
 /// @return the number of patches without lines
 std::size_t merge_block(const io::BlockFile& block,
                         const BlockPlan& plan,

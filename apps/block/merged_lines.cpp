@@ -20,7 +20,7 @@
 namespace ridgeline::apps {
 namespace {
 
-/// The pixels that a patch counts from the corner of its windows, in the whole frames.
+/// Converts image positions from the windows of a patch to the whole frames.
 void count_from_frame(const std::vector<io::PatchImage>& images, io::Line& line) {
   line.observations = results::observations_of(line, images);
   line.base_px.reset();

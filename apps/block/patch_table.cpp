@@ -16,7 +16,7 @@ std::string figure(const std::optional<double>& value) {
   return value ? fmt::format("{:.4f}", *value) : "";
 }
 
-/// A text that may hold commas and quotes as a field.
+/// A text that may contain commas and quotes, as a CSV field.
 std::string csv_field(std::string text) {
   std::size_t at = 0;
   while ((at = text.find('"', at)) != std::string::npos)

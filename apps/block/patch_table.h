@@ -11,9 +11,9 @@
 
 namespace ridgeline::apps {
 
-/// What became of a patch by one method.
+/// The outcome of a patch by one method.
 struct PatchOutcome {
-  std::string reason;  ///< why it has no lines; empty if it has been reconstructed
+  std::string reason;  ///< why it has no lines; empty if it was reconstructed
   std::size_t n_lines = 0;
   std::size_t n_evaluated = 0;
   std::optional<double> rms_m, median_m, max_m;

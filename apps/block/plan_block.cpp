@@ -32,8 +32,8 @@ namespace {
 using reconstruct::GridCell;
 using reconstruct::PatchGrid;
 
-/// Where the rays through the corners of a frame meet a height; nothing if one of them looks above
-/// the horizon.
+/// The points where the rays through the corners of a frame meet a height; empty if one of them
+/// points above the horizon.
 std::vector<Eigen::Vector2d> footprint(const io::PatchImage& image, double height_m) {
   const Eigen::Vector2i size_px =
       image.interior && image.interior->size_px
@@ -52,13 +52,13 @@ std::vector<Eigen::Vector2d> footprint(const io::PatchImage& image, double heigh
   return corners;
 }
 
-/// The heights that the block states, else 0.
+/// The heights stated by the block, else 0.
 std::array<double, 2> stated_heights_m(const io::BlockFile& block) {
   return block.height_range_m.value_or(std::array{0.0, 0.0});
 }
 
-/// The box to be cut into squares: that of the area, else of the LIDAR that gives the heights, else
-/// of what the images show.
+/// The box to be divided into squares: that of the area, else of the LIDAR from which the heights
+/// are derived, else of the ground shown in the images.
 Eigen::AlignedBox2d extent_of(const io::BlockFile& block, const BlockHeights& heights) {
   if (!block.area_m.empty()) return box_around(block.area_m);
   if (!heights.extent_m().isEmpty()) return heights.extent_m();
@@ -70,7 +70,7 @@ Eigen::AlignedBox2d extent_of(const io::BlockFile& block, const BlockHeights& he
   return extent;
 }
 
-/// The squares of the extent that the area meets, in order.
+/// The squares of the extent that intersect the area, in order.
 std::vector<GridCell> squares_of(const PatchGrid& grid,
                                  const Eigen::AlignedBox2d& extent,
                                  const std::vector<Eigen::Vector2d>& area) {
@@ -91,7 +91,7 @@ std::vector<GridCell> squares_of(const PatchGrid& grid,
   return squares;
 }
 
-/// A square with its images; nothing if fewer than two show it.
+/// A square with its images; std::nullopt if fewer than two show it.
 std::optional<PlannedPatch> planned(const io::BlockFile& block,
                                     const PatchGrid& grid,
                                     const GridCell& cell,
@@ -119,7 +119,7 @@ std::optional<PlannedPatch> planned(const io::BlockFile& block,
   return plan;
 }
 
-/// The values of a whole frame that become 0 and 1, by band; none for a frame of one grey.
+/// The values of a whole frame that map to 0 and 1, by band; empty for a uniformly grey frame.
 std::vector<std::array<double, 2>> radiometry_of(const std::string& path) {
   const io::Picture picture = io::read_picture(path, {.window = io::Window{0, 0, 2, 2}});
   reconstruct::BandRanges ranges = reconstruct::band_ranges(picture.sample);
@@ -151,8 +151,8 @@ std::vector<std::string> warnings_of(const io::BlockFile& block) {
   return warnings;
 }
 
-/// Frames need a size before their windows are known. Throws IoError for a file that does not fit
-/// its camera.
+/// Reads the sizes of the frames, which are needed before their windows are known. Throws IoError
+/// for a file that does not fit its camera.
 void read_sizes(io::BlockFile& block) {
   auto& images = block.images;
   tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) {
@@ -165,7 +165,7 @@ void read_sizes(io::BlockFile& block) {
 
 }  // namespace
 
-/// Paths become absolute, because patch files in other folders state them.
+/// Makes paths absolute, because they are written to patch files in other folders.
 io::BlockFile read_block(const std::string& path) {
   const std::string absolute = std::filesystem::absolute(path).lexically_normal().string();
   io::BlockFile block = io::read_block_file(absolute, find_points_in_files);

@@ -14,9 +14,9 @@ inline std::string flag_of(std::string_view option) {
   return flag;
 }
 
-/// A message of the libraries, which name options in backticks, as the program prints it:
-/// "declare it with `assume_crs`" -> "declare it with --assume-crs". What else stands in backticks
-/// stays.
+/// Converts option names in backticks, as used in messages of the libraries, to flags:
+/// "declare it with `assume_crs`" -> "declare it with --assume-crs". Other text in backticks is
+/// kept.
 inline std::string as_flags(std::string_view text) {
   constexpr std::string_view kOfNames = "abcdefghijklmnopqrstuvwxyz0123456789_";
   std::string shown;

@@ -9,20 +9,20 @@ namespace ridgeline::apps {
 
 enum ExitCode : int {
   kDone = 0,
-  kWrongInput = 1,  ///< the user's files, options or usage are at fault
+  kWrongInput = 1,  ///< invalid files, options or usage
   kInternalError = 2,
   kGateFailed = 3,
 };
 
-/// What a subcommand does once its options are parsed; returns an ExitCode.
+/// The work of a subcommand after its options have been parsed; returns an ExitCode.
 using Run = std::function<int()>;
 
-/// A row of the table in main.cpp. `add` declares the options on the subcommand and returns what to
-/// run; the options live in the returned function.
+/// A row of the table in main.cpp. `add` declares the options of the subcommand and returns the
+/// function to run, which owns the options.
 struct Command {
   const char* name;
   const char* summary;
-  const char* examples;  ///< commands that its help ends with
+  const char* examples;  ///< example commands at the end of its help
   Run (*add)(CLI::App& subcommand);
 };
 

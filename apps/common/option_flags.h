@@ -12,8 +12,8 @@
 
 namespace ridgeline::apps {
 
-/// Accepts numbers in [lowest, highest]; NaN is in no range. The validator has no description,
-/// because CLI11 would print it in the help of every option.
+/// Accepts numbers in [lowest, highest], but not NaN. The validator has no description, because
+/// CLI11 would print it in the help of every option.
 template <typename T>
 CLI::Validator in_range(T lowest, T highest) {
   return CLI::Validator(
@@ -27,8 +27,8 @@ CLI::Validator in_range(T lowest, T highest) {
       "");
 }
 
-/// Adds one flag per field of an options struct, with its help, default and range. A command with
-/// several such structs tells them apart by a prefix: "extract_" gives --extract-....
+/// Adds one flag per field of an options struct, with its help, default and range. `prefix`
+/// distinguishes several such structs in one command: "extract_" gives --extract-....
 template <typename Options>
 void add_flags(CLI::App& app,
                Options& options,

@@ -82,8 +82,8 @@ std::string why_none_is_judged(const PatchCounts& counts, std::span<const Evalua
   return statuses_text(evaluations);
 }
 
-/// The smallest median distance of the methods; nothing unless each method has enough judged lines
-/// for a median.
+/// The smallest median distance of the methods; std::nullopt unless each method has enough judged
+/// lines for a median.
 std::optional<double> least_median_m(std::span<const Evaluation> evaluations) {
   constexpr std::size_t kMinLines = 10;
   std::optional<double> least;

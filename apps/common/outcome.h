@@ -10,7 +10,7 @@
 
 namespace ridgeline::apps {
 
-/// What a patch came to before its lines were judged.
+/// Counts of a patch before its lines are judged.
 struct PatchCounts {
   std::string patch;
   bool has_lidar = false;
@@ -18,15 +18,14 @@ struct PatchCounts {
   std::size_t n_matches = 0;
 };
 
-/// Sentences for what the tables cannot show or would hide: that no line of the patch was
-/// reconstructed or none was judged, and why; how many are unconfirmed; that most lines are far
-/// from the LIDAR by every method. Usually there is none. `evaluations` holds one per method, all
-/// of that patch.
+/// Messages about problems that the tables do not show: no line of the patch was reconstructed or
+/// none was judged, and why; some lines are unconfirmed; most lines are far from the LIDAR with
+/// every method. Usually empty. `evaluations`: one per method, all of that patch.
 std::vector<std::string> outcome_messages(const PatchCounts& counts,
                                           std::span<const evaluate::Evaluation> evaluations);
 
-/// A sentence if none of the given lines was judged or some are unconfirmed, else nothing.
-/// `evaluations` holds one per file of lines.
+/// Messages if none of the given lines was judged or if some are unconfirmed; else empty.
+/// `evaluations`: one per line file.
 std::vector<std::string> judging_messages(const std::string& patch,
                                           std::span<const evaluate::Evaluation> evaluations);
 

@@ -7,15 +7,15 @@
 
 namespace ridgeline::apps {
 
-/// Fraction bits of the coordinates that on_canvas() gives and OpenCV draws at (its `shift`).
+/// Fractional bits of the coordinates returned by on_canvas(), for OpenCV's `shift` argument.
 inline constexpr int kCanvasFractionBits = 4;
 
-/// An image to draw segments on: CV_8UC3 in OpenCV's order of bands (blue, green, red), the first
-/// three bands or the first one in grey, enlarged twice because segments may lie 2 px apart.
+/// An image to draw segments on: CV_8UC3 in OpenCV's band order (blue, green, red), showing the
+/// first three bands, or the first one in grey, enlarged twice because segments may be 2 px apart.
 /// `image`: CV_32FC(1..4), 0 dark .. 1 bright.
 cv::Mat overlay_canvas(const cv::Mat& image);
 
-/// A pixel of the image on its canvas, in 2^-kCanvasFractionBits display pixels.
+/// Converts a pixel of the image to canvas coordinates, in 2^-kCanvasFractionBits display pixels.
 cv::Point on_canvas(const Eigen::Vector2d& x_px);
 
 }  // namespace ridgeline::apps

@@ -6,8 +6,8 @@
 
 namespace ridgeline::apps {
 
-/// A bar on stderr over the steps of a long run. Silent where stderr is no terminal or the log
-/// level is above `info` (--quiet).
+/// A progress bar on stderr for the steps of a long run. Silent if stderr is not a terminal or the
+/// log level is above `info` (--quiet).
 class Progress {
  public:
   explicit Progress(std::size_t n_steps);
@@ -17,9 +17,9 @@ class Progress {
   Progress(Progress&&) = delete;
   Progress& operator=(Progress&&) = delete;
 
-  /// Ends the step in progress and begins one that is named `what`.
+  /// Ends the current step and begins one named `what`.
   void begin(std::string_view what);
-  /// Takes the bar off the terminal, so that other text can be printed.
+  /// Removes the bar from the terminal, so that other text can be printed.
   void clear() const;
 
  private:

@@ -7,8 +7,8 @@
 namespace ridgeline::apps {
 
 /// The folders of the sample patches, sorted: from the environment variable RIDGELINE_SAMPLE_DATA,
-/// beside the installed program (share/ridgeline/sample_data) or in the source tree it was built
-/// from. Throws IoError naming the places looked at if there are none.
+/// next to the installed program (share/ridgeline/sample_data) or in the source tree from which it
+/// was built. If there are none, throws IoError naming the places searched.
 std::vector<std::filesystem::path> sample_patches();
 
 }  // namespace ridgeline::apps

@@ -14,18 +14,18 @@
 
 namespace ridgeline::apps {
 
-/// Prints an answer that a command is called for (`info`, `gate`, `compare`), with flags in place
-/// of the libraries' names of options.
+/// Prints the main output of a command (`info`, `gate`, `compare`), with option names of the
+/// libraries replaced by flags.
 inline void answer(std::string_view text) { fmt::print("{}", as_flags(text)); }
 
-/// Prints a summary of what a command wrote to stdout as answer() does; nothing with --quiet.
+/// Like answer(), but for the summary of what a command wrote; prints nothing with --quiet.
 template <typename... Values>
 void say(fmt::format_string<Values...> format, Values&&... values) {
   if (spdlog::get_level() < spdlog::level::err)
     answer(fmt::format(format, std::forward<Values>(values)...));
 }
 
-/// Prints what was decided to stderr.
+/// Prints decisions to stderr.
 inline void inform_of(const std::vector<std::string>& decisions) {
   for (const std::string& decision : decisions) spdlog::info("{}", decision);
 }
@@ -35,7 +35,7 @@ inline void warn_of(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) spdlog::warn("{}", warning);
 }
 
-/// Prints both of a patch.
+/// Prints the decisions and warnings of a patch.
 inline void tell_of(const io::Patch& patch) {
   inform_of(patch.decisions);
   warn_of(patch.warnings);

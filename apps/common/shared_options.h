@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-// Options that several commands have.
+// Options shared by several commands.
 
 namespace ridgeline::apps {
 
@@ -23,7 +23,7 @@ void add_class_option(CLI::App& app, ParameterArguments& arguments);
 void add_method_options(CLI::App& app, ParameterArguments& arguments);
 /// Adds `--config` and `--lidar-sigma-m`.
 void add_judge_options(CLI::App& app, ParameterArguments& arguments);
-/// Adds `--matcher`, which takes one matcher, or both separated by a comma.
+/// Adds `--matcher`, which takes one matcher.
 void add_matcher_option(CLI::App& app, std::string& name);
 
 std::vector<std::string> line_format_names();
@@ -34,19 +34,19 @@ void add_overwrite_flag(CLI::App& app, bool& overwrite);
 /// Adds `--local-origin`.
 void add_local_origin_flag(CLI::App& app, bool& local_origin);
 
-/// Adds `--max-image-mpx`. Its default 0 stands for the rule of io::check_image_size().
+/// Adds `--max-image-mpx`. Its default 0 means the limit of io::check_image_size().
 void add_image_size_option(CLI::App& app, double& max_image_mpx);
 
-/// Adds `--max-y-parallax-px`. Its default is the value that `max_y_parallax_px` has.
+/// Adds `--max-y-parallax-px`. Its default is the current value of `max_y_parallax_px`.
 void add_pair_check_option(CLI::App& app, double& max_y_parallax_px);
 
 /// Adds `--schema`, which takes a name for results::map_schema_named().
 void add_schema_option(CLI::App& app, std::string& schema);
 
-/// What to do about a shift that all lines have against the LIDAR planes.
+/// How to handle a common shift between lines and LIDAR planes.
 struct ShiftArguments {
   bool apply = false;
-  std::string geoid;  ///< grid of the geoid; may be empty
+  std::string geoid;  ///< geoid grid; may be empty
 };
 
 /// Adds `--decoys`.
@@ -58,7 +58,7 @@ void add_shift_options(CLI::App& app, ShiftArguments& arguments);
 /// Throws IoError for a geoid grid that cannot be read.
 void check_shift_options(const ShiftArguments& arguments);
 
-/// Texts that the operator wants on top of the report; empty ones are left out.
+/// Texts for the top of the report; empty ones are left out.
 struct PageFacts {
   std::string title, project, operator_name, date;
 };

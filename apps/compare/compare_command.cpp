@@ -33,7 +33,7 @@ struct Margin {
   double margin;
 };
 
-/// Figures of lines of which one side is worse.
+/// Line figures for which one direction is worse.
 std::vector<evaluate::Metric> metrics_with_a_worse_side() {
   std::vector<evaluate::Metric> metrics = evaluate::accuracy_metrics();
   std::erase_if(metrics, [](const evaluate::Metric& metric) { return metric.is_signed; });
@@ -56,7 +56,7 @@ Margin parsed_margin(const std::string& text) {
   return {*known, margin};
 }
 
-/// A sentence for each figure that is worse by more than its margin.
+/// One sentence per figure that is worse by more than its margin.
 std::string worse_text(const evaluate::ComparisonReport& report,
                        const std::vector<Margin>& margins) {
   std::string text;

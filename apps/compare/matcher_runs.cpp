@@ -22,15 +22,15 @@ namespace {
 
 using Pair = std::pair<int, int>;  ///< left and right segment
 
-/// What a run found on one patch.
+/// The results of a run on one patch.
 struct PatchOfRun {
   evaluate::MatcherFigures figures;
   std::set<Pair> matches;
   std::map<Pair, std::string> verdicts;  ///< empty without reference matches
 };
 
-/// The options in the run.json of a folder; nothing if the file is missing or its options name no
-/// matcher.
+/// The options in the run.json of a folder; std::nullopt if the file is missing or its options do
+/// not include a matcher.
 std::optional<nlohmann::json> options_of(const std::string& folder) {
   const fs::path file = fs::path(folder) / "run.json";
   if (!fs::exists(file)) return std::nullopt;
@@ -74,8 +74,8 @@ std::map<Pair, std::string> verdicts_in(const fs::path& file) {
   return verdicts;
 }
 
-/// Calls `visit(table, row)` for the rows of a patch. A missing file has no rows, as runs without
-/// reference lines do not write every table.
+/// Calls `visit(table, row)` for the rows of a patch. A missing file is treated as empty, because
+/// runs without reference lines do not write every table.
 template <typename Visit>
 void for_rows_of(const fs::path& file, const std::string& patch, const Visit& visit) {
   if (!fs::exists(file)) return;
@@ -95,14 +95,14 @@ double number_or_zero(const io::CsvTable& table, std::size_t row, const char* co
   return table.text(row, c).empty() ? 0.0 : table.number(row, c);
 }
 
-/// The last row counts: it belongs to the list of matches that lines were reconstructed from.
+/// The last row is used: it belongs to the list of matches from which lines were reconstructed.
 void read_table1(const fs::path& folder, evaluate::MatcherFigures& figures) {
   for (const evaluate::Table1Row& row : results::read_matching(folder, false).rows) {
     if (row.patch == figures.patch) figures.counts = row.counts;
   }
 }
 
-/// The last method counts: its rows replace those of the methods before it.
+/// The last method is used: its rows replace those of earlier methods.
 void read_accuracy(const fs::path& folder, evaluate::MatcherFigures& figures) {
   const auto is_total = [](const io::CsvTable& table, std::size_t row) {
     return table.text(row, table.column("class")) == "total";

@@ -8,16 +8,16 @@
 
 namespace ridgeline::apps {
 
-/// Whether the folders come from `run`s that differ in their matchers. Such
-/// runs have different lines, which must not be paired by number.
+/// Whether the folders come from `run`s with different matchers. Such runs have different lines,
+/// which must not be paired by number.
 bool have_different_matchers(const std::vector<std::string>& folders);
 
-/// Whether the runs extracted the same segments for each patch that all of them matched.
+/// Whether the runs extracted the same segments for every patch that they all matched.
 bool match_same_segments(const std::vector<std::string>& folders);
 
-/// The figures of every patch that all folders have, folder by folder within each patch. Segments
-/// are compared by their ids, so all runs must have matched the same segments. Throws IoError for
-/// files that are missing or not those of a run.
+/// The figures of every patch present in all folders, by patch, then by folder. Matches are
+/// compared by segment ids, so all runs must have matched the same segments. Throws IoError for
+/// files that are missing or do not come from a run.
 std::vector<evaluate::MatcherFigures> read_matcher_figures(const std::vector<std::string>& folders);
 
 }  // namespace ridgeline::apps

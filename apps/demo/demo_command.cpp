@@ -26,7 +26,7 @@ Run add_demo(CLI::App& subcommand) {
     RunOptions options;
   };
   auto a = std::make_shared<DemoArguments>();
-  // the papers' Table 2, beside what a run gives
+  // the papers' Table 2, next to the default result of a run
   a->options.methods = {reconstruct::Method::kDirect, reconstruct::Method::kJoint,
                         reconstruct::Method::kLines};
   subcommand.add_option("--out", a->out, "folder for the results")->capture_default_str();

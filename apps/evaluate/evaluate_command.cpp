@@ -19,7 +19,7 @@
 namespace ridgeline::apps {
 namespace {
 
-/// The options as they stand on the command line.
+/// The options as given on the command line.
 struct EvaluateArguments {
   std::vector<std::string> lines, clouds;
   std::string out, patch, reference_lines, write_points, schema = "plain";
@@ -213,7 +213,7 @@ results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   if (!a.area.empty()) {
     options.area = area_of(a);
     options.reference_lines.reset();
-    options.refuse_other_places = false;  // a part of the lines cannot show it
+    options.refuse_other_places = false;  // cannot be determined from a part of the lines
   }
   options.cloud_memory_mib = a.cloud_memory_mib;
   options.apply_shift = a.shift.apply;

@@ -31,8 +31,8 @@ void record_inputs(const std::vector<results::InputFile>& inputs,
   record.end_stage("hash_inputs");
 }
 
-/// Says what came out.
-/// @return the messages beside the table
+/// Prints the outcome.
+/// @return the messages other than the table
 std::vector<std::string> say_outcome(const results::JudgedFiles& judged,
                                      const results::JudgeFilesOptions& options) {
   if (has_figures(judged.evaluations)) {

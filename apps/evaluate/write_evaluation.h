@@ -11,22 +11,22 @@
 
 namespace ridgeline::apps {
 
-/// How the results of a judgement are written.
+/// Output options for the results of a judgement.
 struct EvaluationOutput {
   std::string folder;
   std::string schema = "plain";  ///< see results::map_schema_named()
   std::string plane_points;      ///< file for the points of the planes; may be empty
-  std::string attributes = {};   ///< file for the model with its figures; may be empty
+  std::string attributes = {};   ///< file for the model with figures; may be empty
   bool report = true;
   PageFacts page;
 };
 
-/// The files that a judgement reads. `config`: the file of parameters; may be empty.
+/// The input files of a judgement. `config`: the parameter file; may be empty.
 std::vector<results::InputFile> inputs_of(const results::JudgeFilesOptions& options,
                                           const std::string& config);
 
-/// Writes all files of a judgement, run.json and the report as well, and says on the terminal what
-/// came out. Throws IoError if a file cannot be written.
+/// Writes all files of a judgement, including run.json and the report, and prints the outcome.
+/// Throws IoError if a file cannot be written.
 void write_evaluation(const results::JudgedFiles& judged,
                       const results::JudgeFilesOptions& options,
                       const std::vector<results::InputFile>& inputs,

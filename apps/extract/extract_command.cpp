@@ -27,8 +27,8 @@ struct ExtractArguments {
   ParameterArguments parameters;
 };
 
-/// The image of the patch with the id of --image-id; without an id, the one whose file is
-/// extracted.
+/// The image of the patch with the id given by --image-id; without an id, the one whose file is
+/// processed.
 io::PatchImage camera_of(const ExtractArguments& a) {
   const io::Patch patch = read_patch(a.patch);
   tell_of(patch);
@@ -43,7 +43,7 @@ io::PatchImage camera_of(const ExtractArguments& a) {
                                  : "has no image of id " + a.image_id);
 }
 
-/// What is to be read, with its camera if there is one.
+/// The image to be read, with its camera, if any.
 io::PatchImage image_of(const ExtractArguments& a) {
   io::PatchImage image;
   if (a.patch.empty()) {

@@ -9,8 +9,8 @@
 
 namespace ridgeline::apps {
 
-/// The image twice as large (CV_8UC3) with its segments in changing colours and dots at their
-/// ends. `image`: CV_32FC(n) in [0, 1]; of less than 3 bands the first one is shown in grey.
+/// The image enlarged twice (CV_8UC3) with its segments in varying colours and dots at their ends.
+/// `image`: CV_32FC(n) in [0, 1]; with fewer than 3 bands, the first one is shown in grey.
 cv::Mat segment_overlay(const cv::Mat& image, const std::vector<EdgeSegment>& segments);
 
 }  // namespace ridgeline::apps

@@ -35,7 +35,7 @@ std::string now_utc() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(std::time(nullptr)));
 }
 
-/// Whether the file has a name that `run` or `evaluate` gives to a file of its folder.
+/// Whether the file has the name of an output file of `run` or `evaluate`.
 bool is_result(const std::string& file) {
   const std::string name = fs::path(file).filename().string();
   return name == "run.json" || name == "stages.json" || name == "report.html" ||
@@ -43,8 +43,7 @@ bool is_result(const std::string& file) {
          name.starts_with("table2.");
 }
 
-/// The reports must not land on what was read, the gates or a file of the results, nor on each
-/// other.
+/// The reports must not overwrite the gates, a file of the results, or each other.
 void check_reports(const GateArguments& a) {
   std::vector<std::string> others{a.gates};
   for (const std::string& report : {a.junit, a.summary, a.json}) {
@@ -97,8 +96,8 @@ int run_gate(const GateArguments& a) {
 
 Run add_gate(CLI::App& subcommand) {
   auto a = std::make_shared<GateArguments>();
-  CLI::Option* results = subcommand.add_option("results", a->results,
-                                               "results folder of run, block, demo, evaluate or pool");
+  CLI::Option* results = subcommand.add_option(
+      "results", a->results, "results folder of run, block, demo, evaluate or pool");
   CLI::Option* gates = subcommand.add_option("--gates", a->gates, "gates file (YAML)");
   CLI::Option* baseline = subcommand.add_option(
       "--baseline", a->baseline,

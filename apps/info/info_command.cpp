@@ -42,16 +42,14 @@ constexpr const char* kKnownKinds =
     "BlocksExchange, Metashape, COLMAP), patch, gates and config files, tables of matches and "
     "segments, patch folders and results folders";
 
-/// The unit of the file, with the name that the reference system gives it if both have the same
-/// unit.
+/// The unit of the file, with its name in the reference system if both units are the same.
 std::string unit_text(double unit_m, double crs_unit_m, const std::string& crs_unit_name) {
   if (io::same_unit(unit_m, crs_unit_m))
     return fmt::format("{} ({:.12g} m)", crs_unit_name, unit_m);
   return io::unit_text(unit_m);
 }
 
-/// `unit_m`: the unit of each axis. Unit keys of a file may state another unit than its reference
-/// system.
+/// `unit_m`: the unit of each axis. The unit keys of a file may differ from its reference system.
 void print_crs(const io::CrsFacts& crs, const Eigen::Vector3d& unit_m, bool states_unit) {
   fmt::print("  crs         {}\n", crs.name);
   if (!states_unit) {
@@ -69,7 +67,7 @@ void print_crs(const io::Crs& crs) {
             crs.known());
 }
 
-/// Prints the scale of a projected reference system in the middle of the data.
+/// Prints the map scale of a projected reference system at the centre of the data.
 void print_scale(const std::optional<io::GridScale>& scale) {
   if (!scale) return;
   fmt::print("  scale       map scale {}\n", io::scale_text(*scale));
@@ -167,7 +165,7 @@ std::string image_text(const std::string& path) {
                      facts.n_bands, facts.bits, facts.format);
 }
 
-/// Prints the values that are stretched to 0 and 1, unless much would have to be decoded for them.
+/// Prints the values that are mapped to 0 and 1, unless this would require decoding too much.
 void print_radiometry(const std::string& path, const io::ImageFacts& facts) {
   constexpr int kSmall_px = 2;
   if (facts.width_px < kSmall_px || facts.height_px < kSmall_px) return;
@@ -185,7 +183,7 @@ void print_radiometry(const std::string& path, const io::ImageFacts& facts) {
   }
 }
 
-/// Prints how sharp the middle of an image is.
+/// Prints the sharpness at the centre of an image.
 void print_edges(const std::string& path, const io::ImageFacts& facts) {
   constexpr int kSide_px = 1024;
   constexpr int kMinSide_px = 64;
@@ -209,7 +207,7 @@ void print_edges(const std::string& path, const io::ImageFacts& facts) {
                  scale.scale_px == 1 ? "full" : fmt::format("1/{}", scale.scale_px),
                  scale.n_segments, scale.n_segments == 1 ? "" : "s", scale.length_px,
                  scale.width_px ? fmt::format(", {:.1f} px wide (sigma)", *scale.width_px) : "");
-  } catch (const io::IoError&) {  // print_radiometry() has said what is wrong
+  } catch (const io::IoError&) {  // already reported by print_radiometry()
   }
 }
 
@@ -273,9 +271,9 @@ void print_patch(const std::string& path) {
   print_use(fmt::format("ridgeline run {} --out results", path));
 }
 
-/// A PLY holds a cloud, or lines if its header lists edges or faces.
+/// A PLY contains a cloud, or lines if its header lists edges or faces.
 bool is_line_ply(const std::string& path) {
-  if (!std::filesystem::is_regular_file(path)) return false;  // the reader names the fault
+  if (!std::filesystem::is_regular_file(path)) return false;  // the reader reports the error
   std::ifstream file(path, std::ios::binary);
   std::string line;
   while (std::getline(file, line) && !line.starts_with("end_header")) {
@@ -284,8 +282,8 @@ bool is_line_ply(const std::string& path) {
   return false;
 }
 
-/// Text files hold a cloud or a tool's lines: lines are tried first, as their formats are stricter.
-/// A CSV that is neither is more likely to have been meant for lines.
+/// Text files contain a cloud or a tool's lines. Lines are tried first, because their formats are
+/// stricter. A CSV that is neither was more likely meant to contain lines.
 void print_text_file(const std::string& path, bool is_csv, double max_resolution_m) {
   try {
     print_lines(path);
@@ -310,7 +308,7 @@ void print_patches(const std::string& folder, const io::FileKind& kind) {
   print_use(fmt::format("ridgeline run {} --out results", fmt::join(files, " ")));
 }
 
-/// Whether a file has an ending of line files. If its kind is not known, the readers of lines say
+/// Whether a file has the extension of a line file. If its kind is unknown, the line readers report
 /// what is wrong with it.
 bool is_named_as_lines(const std::string& path) {
   constexpr std::array kEndings{".geojson", ".json", ".gpkg", ".shp", ".dxf", ".obj",
@@ -327,7 +325,7 @@ bool is_named_as_lines(const std::string& path) {
   throw io::IoError(path, fmt::format("is {}; {}", what, kKnownKinds));
 }
 
-/// Chooses by the name of a file if its content does not tell the kind.
+/// Selects by the file name if the content does not reveal the kind.
 void print_by_name(const std::string& path, const io::FileKind& kind, double max_resolution_m) {
   const std::string extension = io::lower_case(std::filesystem::path(path).extension().string());
   if (extension == ".yaml" || extension == ".yml") return print_patch(path);
@@ -343,7 +341,7 @@ void print_by_name(const std::string& path, const io::FileKind& kind, double max
   refuse(path, kind);
 }
 
-/// What the options of the command say.
+/// The options of the command.
 struct InfoArguments {
   std::vector<std::string> files;
   double max_resolution_m = 0.0;

@@ -19,7 +19,7 @@
 namespace ridgeline::apps {
 namespace {
 
-/// The folder that the images are looked for in.
+/// The folder in which images are searched.
 std::string image_folder(const std::string& path, const OrientationArguments& arguments) {
   if (!arguments.images.empty()) return arguments.images;
   const std::filesystem::path file(path);
@@ -40,7 +40,7 @@ io::OrientationOptions options_of(const std::string& path, const OrientationArgu
   return options;
 }
 
-/// The name of a system; its definition if it has none, as PROJ strings.
+/// The name of a reference system, or its definition if it has no name, like PROJ strings.
 std::string crs_text(const io::Crs& crs) {
   if (!crs.known()) return "unknown";
   const std::string name = io::describe(crs).name;

@@ -6,10 +6,10 @@
 
 namespace ridgeline::apps {
 
-/// What a user says about an orientation on the command line.
+/// The options for an orientation on the command line.
 struct OrientationArguments {
-  std::string cameras;   ///< file of cameras
-  std::string images;    ///< folder of the images; empty: that of the orientation
+  std::string cameras;   ///< camera file
+  std::string images;    ///< image folder; empty: that of the orientation
   std::string angles;    ///< deg | gon | rad
   std::string rotation;  ///< opk | pok
   std::string matrix;    ///< world_from_camera | camera_from_world
@@ -18,9 +18,8 @@ struct OrientationArguments {
   std::optional<double> ground_height_m;
 };
 
-/// Prints what an orientation holds and what was decided in reading it, and writes the map if one
-/// is asked for. Throws IoError as io::read_orientation() does, and if the map needs a height of
-/// the ground.
+/// Prints the content of an orientation and the decisions made in reading it, and writes the map if
+/// requested. Throws IoError like io::read_orientation(), and if the map requires a ground height.
 void print_orientation(const std::string& path, const OrientationArguments& arguments);
 
 }  // namespace ridgeline::apps

@@ -77,7 +77,7 @@ void print_evaluation(const std::string& path, const io::FileKind& kind) {
   print_use(kind.advice);
 }
 
-/// The values of the member `name`, each once, in the order of the results.
+/// The distinct values of the member `name`, in the order of the results.
 std::vector<std::string> names_of(const std::vector<evaluate::Evaluation>& evaluations,
                                   std::string evaluate::Evaluation::*name) {
   std::vector<std::string> names;

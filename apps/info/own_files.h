@@ -7,11 +7,12 @@
 
 namespace ridgeline::apps {
 
-/// Whether print_own_file() knows the kind: gates, config, tables of matches and segments, results.
+/// Whether print_own_file() supports the kind: gates, config, tables of matches and segments,
+/// results.
 bool is_own_file(io::FileGroup group);
 
-/// Prints what a file or folder of the program holds and which command takes it. Throws IoError if
-/// that command would refuse it.
+/// Prints the content of a file or folder of the program and the command that uses it. Throws
+/// IoError if that command would reject it.
 void print_own_file(const std::string& path, const io::FileKind& kind);
 
 /// Prints "  use         WHAT".

@@ -48,8 +48,8 @@ void print_summary(std::span<const reconstruct::View> views,
   for (const auto& [reason, count] : n) say("  {:<21}{}\n", reason, count);
 }
 
-/// Prints the numbers of lines as Chio and Wang 2000 count them: by the first two processes, by the
-/// third and fourth, and with the relaxed limit.
+/// Prints the numbers of lines in the categories of Chio and Wang (2000): first two processes,
+/// third and fourth process, and relaxed limit.
 void print_processes(const reconstruct::ChioResult& result) {
   const auto count = [&](auto holds) {
     return std::count_if(result.lines.begin(), result.lines.end(),
@@ -64,7 +64,7 @@ void print_processes(const reconstruct::ChioResult& result) {
       count([](const Acquired& a) { return a.relaxed; }));
 }
 
-/// The files of the segments that the matches speak of. None stand beside a device such as
+/// The files of the segments to which the matches refer. None are written next to a device such as
 /// /dev/stdout.
 std::vector<std::string> segment_files(const MatchArguments& a, const io::Patch& patch) {
   namespace fs = std::filesystem;

@@ -13,7 +13,7 @@ namespace {
 
 const cv::Scalar kUnmatched(150, 150, 150);
 
-/// Twelve hues around the circle, neighbours in the list far apart.
+/// Twelve hues around the circle; consecutive ones are far apart.
 cv::Scalar colour_of(int number) {
   static constexpr std::array<std::array<int, 3>, 12> kColours{{{60, 60, 255},
                                                                 {60, 255, 60},

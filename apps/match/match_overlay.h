@@ -10,8 +10,8 @@
 
 namespace ridgeline::apps {
 
-/// Both images side by side (CV_8UC3) with their segments: matched ones in a colour of their own,
-/// the same on both sides, with the left index at every fifth; the others thin and grey.
+/// Both images side by side (CV_8UC3) with their segments: each match in a distinct colour on both
+/// sides, every fifth labelled with the left index; unmatched segments thin and grey.
 cv::Mat match_overlay(const reconstruct::View& left,
                       const reconstruct::View& right,
                       std::span<const Correspondence> matches);

@@ -25,7 +25,7 @@ struct PatchArguments {
   PatchTemplate patch;
 };
 
-/// Bounds as four numbers, else a file.
+/// Sets the area: bounds if `text` consists of four numbers, else a file.
 void set_area(const std::string& text, PatchTemplate& patch) {
   std::vector<double> bounds;
   std::size_t begin = 0;
@@ -49,7 +49,7 @@ void check_new(const std::string& file) {
   }
 }
 
-/// Writes the file, and removes it again if it cannot be used.
+/// Writes the file and removes it again if it is not usable.
 void write_and_check(const std::string& file, const std::string& text) {
   io::write_file(file, text);
   try {

@@ -11,10 +11,11 @@ namespace ridgeline::apps {
 namespace fs = std::filesystem;
 namespace {
 
-/// A text as YAML takes it whatever is in it: a string of JSON is one of YAML.
+/// A text in quotes that YAML reads correctly regardless of its content: a JSON string is also
+/// valid YAML.
 std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
 
-/// Writes the parts of the file one after another.
+/// Writes the sections of the file in sequence.
 class Writer {
  public:
   explicit Writer(std::string folder) : folder_(std::move(folder)) {}
@@ -43,7 +44,7 @@ class Writer {
   [[nodiscard]] const std::string& whole() const { return text_; }
 
  private:
-  /// A path stays absolute if the user gave it so.
+  /// A path that the user gave as absolute stays absolute.
   [[nodiscard]] std::string from_folder(const std::string& path) const {
     if (fs::path(path).is_absolute()) return path;
     const fs::path relative =

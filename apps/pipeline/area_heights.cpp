@@ -16,7 +16,7 @@
 namespace ridgeline::apps {
 namespace {
 
-/// The images of a patch, each with the window that is read of it, of a whole file all of it.
+/// The images of a patch, each with the window to be read, which may be the whole file.
 std::vector<io::PatchImage> images_with_windows(const io::PatchFile& patch) {
   std::vector<io::PatchImage> images = patch.images;
   for (io::PatchImage& image : images) {
@@ -43,7 +43,7 @@ std::array<double, 2> height_limits_m(std::span<const double> heights_m) {
   const double least = kMinShare * static_cast<double>(sorted.size());
   double low = sorted.back();
   double high = sorted.front();
-  std::size_t first = 0;  // of a group without a gap
+  std::size_t first = 0;  // index of the first height of a group without gaps
   for (std::size_t i = 1; i <= sorted.size(); ++i) {
     if (i < sorted.size() && sorted[i] - sorted[i - 1] <= kHeightMargin_m) continue;
     if (static_cast<double>(i - first) >= least) {

@@ -15,7 +15,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/// The middle of the area at the middle of the heights.
+/// The centre of the area at the middle of the height range.
 Eigen::Vector3d middle_of(const SearchedPlace& place) {
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& x : place.area_m)
@@ -23,7 +23,7 @@ Eigen::Vector3d middle_of(const SearchedPlace& place) {
   return {middle.x(), middle.y(), 0.5 * (place.height_range_m[0] + place.height_range_m[1])};
 }
 
-/// The corners of an area and points between them, `per_side` on each side with its first corner.
+/// The corners of an area and points between them: `per_side` per side, including its first corner.
 std::vector<Eigen::Vector2d> border_of(const std::vector<Eigen::Vector2d>& corners, int per_side) {
   std::vector<Eigen::Vector2d> border;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -34,8 +34,8 @@ std::vector<Eigen::Vector2d> border_of(const std::vector<Eigen::Vector2d>& corne
   return border;
 }
 
-/// Points spread over the area at the middle of the heights, from there: on three rings of the
-/// shape of its border, and in its middle.
+/// Points spread over the area at the middle of the height range, relative to middle_of(): its
+/// centre and points on three rings with the shape of its border.
 Points points_in_local(const SearchedPlace& place) {
   constexpr int kRings = 3;
   constexpr int kPerSide = 4;
@@ -65,7 +65,8 @@ reconstruct::CandidateView candidate_of(const io::PatchImage& image,
   return {image.id, image_from_local(image.image_from_world, origin_m), size_of(image)};
 }
 
-/// Where the lens shows a point, in pixels of what is read of the image; nothing behind the camera.
+/// The image position of a point, with lens distortion, in pixels of the part read; std::nullopt
+/// behind the camera.
 std::optional<Eigen::Vector2d> shown_at(const io::PatchImage& image,
                                         const ProjectionMatrix& image_from_local,
                                         const Eigen::Vector3d& x,
@@ -73,7 +74,7 @@ std::optional<Eigen::Vector2d> shown_at(const io::PatchImage& image,
   const Eigen::Vector3d y = image_from_local * x.homogeneous();
   const double side = image_from_local.leftCols<3>().determinant() > 0.0 ? 1.0 : -1.0;
   if (!(side * y.z() > 0.0)) return std::nullopt;
-  // Distortion means nothing far outside of the frame, where it may fold back into it.
+  // Far outside the frame the distortion model is invalid and may fold back into the frame.
   const Eigen::Vector2d reach = 0.25 * size_px.cast<double>();
   const Eigen::Vector2d ideal =
       y.hnormalized().cwiseMax(-reach).cwiseMin(size_px.cast<double>() + reach);
@@ -115,7 +116,7 @@ std::optional<io::Window> window_of_area(const SearchedPlace& place,
                                          const io::PatchImage& image,
                                          const Eigen::Vector2i& size_px) {
   constexpr double kMargin_px = 32.0;
-  constexpr int kPerSide = 8;  // as a lens bends the sides
+  constexpr int kPerSide = 8;  // because the lens bends the sides
   const Eigen::Vector3d origin_m = middle_of(place);
   const ProjectionMatrix P = image_from_local(image.image_from_world, origin_m);
   Eigen::AlignedBox2d box;
@@ -123,7 +124,7 @@ std::optional<io::Window> window_of_area(const SearchedPlace& place,
     for (const double z : place.height_range_m) {
       const Eigen::Vector3d x = Eigen::Vector3d(corner.x(), corner.y(), z) - origin_m;
       const std::optional<Eigen::Vector2d> at = shown_at(image, P, x, size_px);
-      // A part of the area lies behind an oblique camera: nothing bounds what the image shows of it
+      // If part of the area lies behind an oblique camera, its extent in the image is unbounded.
       if (!at) return io::Window{0, 0, size_px.x(), size_px.y()};
       box.extend(*at);
     }

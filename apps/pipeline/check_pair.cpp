@@ -19,7 +19,7 @@ namespace {
 using reconstruct::PairFit;
 using reconstruct::PairReading;
 
-/// A pair of images with their cameras and the points that were found in both.
+/// A pair of images with their cameras and tie points.
 struct CheckedPair {
   const io::Patch& patch;
   std::array<std::string, 2> paths;  ///< of the images
@@ -38,7 +38,7 @@ reconstruct::PairGeometry geometry_of(const reconstruct::Scene& scene, const Vie
           {left.ideal_from_image, right.ideal_from_image}};
 }
 
-/// The images that are at fault: "both images", or the path of one.
+/// The images that do not fit: "both images", or the path of one.
 std::string files_text(const CheckedPair& pair, bool left, bool right) {
   if (left && right) return "both images";
   return pair.paths[left ? 0 : 1];
@@ -66,9 +66,9 @@ PairFit fit_under(const CheckedPair& pair, const PairReading& reading) {
   return reconstruct::fit_of_pair(seen, pair.geometry, pair.limit_px);
 }
 
-/// Where epipolar lines are nearly parallel, points of swapped or turned images lie near them as
-/// well, but at other heights or a little farther off. Readings of another size are left out: half
-/// a disparity is a height like any other.
+/// If epipolar lines are nearly parallel, points of swapped or turned images also lie near them,
+/// but at other heights or slightly farther away. Readings at another scale are excluded: half a
+/// disparity is also a plausible height.
 bool fits_far_better(const PairFit& other, const PairFit& given, const PairReading& reading) {
   constexpr double kMoreFit = 1.5;
   constexpr double kNearer = 3.0;
@@ -108,8 +108,9 @@ bool fits_far_better(const PairFit& other, const PairFit& given, const PairReadi
                   100.0 * fit.share_that_fits, better));
 }
 
-/// The fewest points that tell whether a pair fits. Some points are found in both images by chance,
-/// and more of them the less the images share: below this number they could outvote the others.
+/// The minimum number of points for deciding whether a pair fits. Some points are matched by
+/// chance, and the smaller the overlap of the images, the more: below this number they could
+/// outvote the others.
 std::size_t fewest_points(const CheckedPair& pair) {
   constexpr double kOfEqualImages = 30.0;
   constexpr double kMinShare = 0.1;
@@ -141,7 +142,8 @@ std::optional<std::string> check_pair(const CheckedPair& pair) {
   return std::nullopt;
 }
 
-/// How long a pixel in the middle of a view is on the object, at the middle of the heights.
+/// The size of a pixel on the object, in the centre of a view and at the middle of the height
+/// range.
 double pixel_on_object_m(const reconstruct::View& view, const std::array<double, 2>& heights_m) {
   const Plane3 level(Eigen::Vector3d::UnitZ(), -0.5 * (heights_m[0] + heights_m[1]));
   const Eigen::Vector2d middle_px(0.5 * view.image.cols, 0.5 * view.image.rows);
@@ -151,8 +153,8 @@ double pixel_on_object_m(const reconstruct::View& view, const std::array<double,
   return (on_object(middle_px + Eigen::Vector2d::UnitX()) - on_object(middle_px)).norm();
 }
 
-/// A warning of images so close or so far that the units of the patch are hardly metres, as many
-/// limits of the program are.
+/// A warning if the images are so close or so far that the units of the patch are probably not
+/// metres, as many limits of the program assume.
 std::optional<std::string> doubt_of_units(const io::Patch& patch, const reconstruct::Scene& scene) {
   constexpr double kMinPixel_m = 0.002;
   constexpr double kMaxPixel_m = 5.0;
@@ -165,7 +167,7 @@ std::optional<std::string> doubt_of_units(const io::Patch& patch, const reconstr
       patch.path, view.id, pixel_m);
 }
 
-/// A warning of a pair whose base is so short that heights are uncertain, or so long that surfaces
+/// A warning if the base of a pair is so short that heights are uncertain, or so long that surfaces
 /// look different.
 std::optional<std::string> doubt_of_base(const io::Patch& patch,
                                          const reconstruct::Scene& scene,

@@ -24,13 +24,13 @@
 namespace ridgeline::apps {
 namespace {
 
-/// Columns and rows of what is read of a file.
+/// Columns and rows of the part of a file that is read.
 Eigen::Vector2i size_of_image(const io::PatchImage& image, const io::ImageFacts& facts) {
   return image.window ? Eigen::Vector2i(image.window->width, image.window->height)
                       : turned_size_px(image, facts);
 }
 
-/// The file must be the frame, or lie within it where it is cut out of it.
+/// The file must be the whole frame, or lie within it if it is a crop.
 void check_size(const io::PatchImage& image, const io::ImageFacts& facts) {
   if (!image.interior || !image.interior->size_px) return;
   const Eigen::Vector2i frame = *image.interior->size_px;
@@ -85,7 +85,7 @@ void check_heights(const io::Patch& patch,
   const Eigen::Matrix3d m = image.image_from_world.leftCols<3>();
   const Eigen::Vector3d centre = projection_centre(image.image_from_world).hnormalized();
   const Eigen::Vector2d middle = 0.5 * (size_px.cast<double>().array() - 1.0);
-  const double side = m.determinant() > 0.0 ? 1.0 : -1.0;  // a matrix may have either sign
+  const double side = m.determinant() > 0.0 ? 1.0 : -1.0;  // the matrix may have either sign
   const Eigen::Vector3d ray = side * m.inverse() * middle.homogeneous();
   for (const double z : patch.height_range_m) {
     if ((z - centre.z()) / ray.z() > 0.0) continue;
@@ -117,8 +117,8 @@ bool is_file_name(const std::string& id) {
   });
 }
 
-/// Whether an id begins like a file of the results, with one of these names and a dot or an
-/// underscore. A patch of that id could write over the file.
+/// Whether an id starts like the name of a results file: one of these names and a dot or
+/// underscore. A patch with such an id could overwrite the file.
 bool is_name_of_result(const std::string& id) {
   const std::array<std::string, 6> results{"table1", "table2",    "run",
                                            "report", "reference", "tolerances"};
@@ -141,7 +141,7 @@ void check_id(const io::Patch& patch, const std::string& id) {
                     fmt::format("id '{}' is the name of a results file; choose another", id));
 }
 
-/// Ids that differ only in case are refused: some file systems take them for one name.
+/// Rejects ids that differ only in case, because they are the same name on some file systems.
 void check_image_ids(const io::Patch& patch) {
   std::set<std::string> seen;
   for (const io::PatchImage& image : patch.images) {

@@ -9,19 +9,19 @@
 
 namespace ridgeline::apps {
 
-/// Checks what can be told of a patch before any work: its images exist, are not larger than
-/// `max_image_mpx` (see io::check_image_size()), fit the size of their cameras and have the same
-/// number of bands; the cameras look at the heights to be searched. Reads the headers of images
-/// that have not been read. Throws IoError.
+/// Checks everything about a patch that can be checked before the work begins: its images exist,
+/// are not larger than `max_image_mpx` (see io::check_image_size()), fit the size of their cameras
+/// and have the same number of bands, and the cameras see the heights to be searched. Reads the
+/// headers of images that have not been read yet. Throws IoError.
 void check_patch(const io::Patch& patch, double max_image_mpx);
 
 /// Throws IoError if the plan of a reference system (the patch's own or that of its cloud) is not
-/// true to scale beneath the first camera, as a camera of central projection needs it. A place that
-/// has no scale in the reference system passes; the judge warns of it.
+/// true to scale beneath the first camera, as central projection requires. A place without a scale
+/// in the reference system passes; the judge warns about it.
 void check_scale(const io::Patch& patch, const io::Crs& crs);
 
-/// The files that a patch or block is made of, its own first; patterns are expanded. Throws IoError
-/// for a pattern that matches no file.
+/// The input files of a patch or block, starting with its own file; patterns are expanded. Throws
+/// IoError for a pattern that matches no file.
 std::vector<results::InputFile> input_files(const io::Patch& patch);
 std::vector<results::InputFile> input_files(const io::BlockFile& block);
 

@@ -24,7 +24,7 @@ Texts ids_of(const std::vector<io::PatchImage>& images) {
   return transformed(images, &io::PatchImage::id);
 }
 
-/// The heights that the file states, else those of the area and a decision that names them.
+/// The heights stated in the file; else those of the area, with a decision that reports them.
 std::array<double, 2> decided_heights_m(const io::PatchFile& file, Texts& decisions) {
   if (file.height_range_m) return *file.height_range_m;
   const std::vector<double> heights_m = area_heights_m(file);
@@ -36,7 +36,7 @@ std::array<double, 2> decided_heights_m(const io::PatchFile& file, Texts& decisi
   return range_m;
 }
 
-/// The images of a file that states candidates, and a decision that names them.
+/// Selects the images of a file with candidates and adds a decision that names them.
 std::vector<io::PatchImage> chosen_images(const io::PatchFile& file,
                                           const SearchedPlace& place,
                                           Texts& decisions) {
@@ -53,7 +53,7 @@ std::vector<io::PatchImage> chosen_images(const io::PatchFile& file,
   return best;
 }
 
-/// Warns of candidates without a file that show the area.
+/// Warns about candidates that show the area but have no file.
 void warn_of_missing_files(const io::PatchFile& file, const SearchedPlace& place, Texts& warnings) {
   constexpr std::size_t kNamed = 3;
   Texts names = ids_of(images_that_show(place, file.without_file));
@@ -66,7 +66,7 @@ void warn_of_missing_files(const io::PatchFile& file, const SearchedPlace& place
                   file.path, n, fmt::join(names, ", "), n > kNamed ? ", ..." : ""));
 }
 
-/// Reads the header of an image unless its file is missing, which is said when it is needed.
+/// Reads the header of an image. A missing file is only reported when it is needed.
 void read_facts(io::PatchImage& image) {
   try {
     image.facts = io::image_facts(image.path);
@@ -75,7 +75,7 @@ void read_facts(io::PatchImage& image) {
   }
 }
 
-/// Turns the pixels if they fit the camera then, and not as they are stored.
+/// Turns the pixels if they fit the camera after turning but not as stored.
 void settle_turn(io::PatchImage& image, Texts& decisions) {
   if (!image.facts || !image.interior || !image.interior->size_px) return;
   const Eigen::Vector2i stored(image.facts->width_px, image.facts->height_px);
@@ -89,8 +89,8 @@ void settle_turn(io::PatchImage& image, Texts& decisions) {
                   image.path, static_cast<int>(image.turn), frame.x(), frame.y()));
 }
 
-/// Columns and rows of a file when it has been turned; of a file that is missing those of its
-/// camera. Throws IoError if nothing tells them.
+/// Columns and rows of a file after turning; for a missing file, those of its camera. Throws
+/// IoError if they are unknown.
 Eigen::Vector2i size_px_of_file(const io::PatchImage& image) {
   if (!image.facts && image.interior && image.interior->size_px) return *image.interior->size_px;
   return turned_size_px(image, image.facts ? *image.facts : io::image_facts(image.path));
@@ -117,7 +117,7 @@ LocalFrame frame_of(const io::PatchImage& base, const std::array<double, 2>& hei
   return reconstruct::local_frame(base.image_from_world, size_px.cast<double>(), height_range_m);
 }
 
-/// The blocks of the radiometry of a large JPEG 2000 take a good part of a minute.
+/// Decoding the blocks for the radiometry of a large JPEG 2000 file takes a large part of a minute.
 bool finds_radiometry_slowly(const io::PatchImage& image) {
   constexpr double kMuch_px = 2e7;
   return image.radiometry.empty() && image.facts->format == "JP2OpenJPEG" &&

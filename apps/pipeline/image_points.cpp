@@ -19,11 +19,11 @@ namespace {
 
 using ImagePair = std::array<std::size_t, 2>;
 
-/// An image that has a file and a camera of the same shape.
+/// An image whose file and camera have the same aspect ratio.
 struct CandidateImage {
   std::size_t image = 0;
   std::string file;
-  int reduction = 1;              ///< by which the file is read, as points need no larger image
+  int reduction = 1;  ///< applied when reading, because tie points do not need full resolution
   double camera_per_pixel = 1.0;  ///< pixels of the camera a pixel that is read
 };
 

@@ -44,7 +44,7 @@ std::string lens_text(const io::PatchImage& image) {
                      size.x(), size.y());
 }
 
-/// What is read of a file, and how, as text.
+/// The parameters for reading a file, as text.
 std::string reading_text(const io::PatchImage& image) {
   const io::Window window = image.window.value_or(io::Window{});
   std::string text =

@@ -26,8 +26,7 @@ std::string header() {
   return text + "\n";
 }
 
-/// The fields of the neighbour, its height and the limit of height; they are empty in the first
-/// process.
+/// The fields for the neighbour, its height and the height limit; empty in the first process.
 std::string constraint_fields(const reconstruct::Acquired& acquired, double origin_z_m) {
   if (acquired.neighbour < 0) return ",,";
   return fmt::format("{},{:.3f},{:.3f}", acquired.neighbour, acquired.height_m + origin_z_m,

@@ -32,7 +32,7 @@ const char* name(SampleConsensus method) {
   return "";
 }
 
-/// Calls visit(group, field, value) for every parameter in the order of the file.
+/// Calls visit(group, field, value) for every parameter, in file order.
 template <typename Visitor>
 void for_each_parameter(Parameters& p, Visitor&& visit) {
   const auto group = [&](const char* of_file, auto& options) {

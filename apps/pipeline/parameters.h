@@ -13,42 +13,43 @@
 
 namespace ridgeline::apps {
 
-/// All that a config file holds: the parameters of the reconstruction and of the judge.
+/// The content of a config file: the parameters of the reconstruction and of the judge.
 struct Parameters {
   reconstruct::Options method;
   evaluate::JudgeOptions judge;
 };
 
-/// The name that messages give to ParameterArguments::config_text.
+/// The name of ParameterArguments::config_text in messages.
 inline constexpr const char* kConfigInMemory = "config";
 
-/// What a user gives to choose the parameters.
+/// The user's choice of parameters.
 struct ParameterArguments {
   std::string preset = "default";
   std::string config;
-  std::string config_text;  ///< a config file in memory, read after `config`; no option
+  /// A config file in memory, read after `config`; not a command-line option.
+  std::string config_text;
   std::optional<double> max_aligned_angle_deg;
   std::optional<double> lidar_sigma_m;
 };
 
-/// The parameters of the preset, changed by the config file and then by the options of the command
-/// line. Throws IoError naming file, line, key and rule for a key that is unknown and for a value
-/// out of its range; std::invalid_argument for an option out of its range.
+/// The parameters of the preset, modified by the config file and then by the command-line options.
+/// Throws IoError naming file, line, key and rule for an unknown key and for a value out of range;
+/// std::invalid_argument for an option out of range.
 Parameters read_parameters(const ParameterArguments& arguments);
 
 std::vector<std::string> method_names();
 
-/// The methods of a run that names none: `lines`, with the preset `published` the papers' two. The
-/// last one is that of a command that takes a single method.
+/// The default methods of a run: `lines`, or the papers' two with the preset `published`. The last
+/// one is the default of a command that takes a single method.
 std::vector<std::string> default_methods(const ParameterArguments& parameters);
 
 /// The method of that name. Throws std::invalid_argument unless it is one of method_names().
 reconstruct::Method method_named(const std::string& name);
 
-/// The matcher of that name. Throws std::invalid_argument for a name of no matcher.
+/// The matcher of that name. Throws std::invalid_argument for an unknown name.
 reconstruct::Matcher matcher_named(const std::string& name);
 
-/// Throws std::invalid_argument if the preset is `published` and a method is not of the papers.
+/// Throws std::invalid_argument if the preset is `published` and a method is not from the papers.
 void check_preset(const ParameterArguments& parameters,
                   const std::vector<reconstruct::Method>& methods);
 
@@ -64,8 +65,8 @@ std::string to_yaml(const Parameters& parameters);
 /// The parameters as run.json records them.
 nlohmann::ordered_json echo(const Parameters& parameters);
 
-/// The options of an evaluation as run.json records them. The report reads the cloud again with
-/// them.
+/// The options of an evaluation as run.json records them. The report uses them to read the cloud
+/// again.
 nlohmann::ordered_json echo(const results::JudgeFilesOptions& options);
 
 }  // namespace ridgeline::apps

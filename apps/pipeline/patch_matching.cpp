@@ -44,7 +44,7 @@ double largest_angle_rad(const evaluate::TrueEdge& edge, const io::Patch& patch)
   return largest_rad;
 }
 
-/// The edges that two of the first `n_views` images show.
+/// The edges visible in at least two of the first `n_views` images.
 std::vector<evaluate::TrueEdge> true_edges(const io::Patch& patch,
                                            std::size_t n_views,
                                            double max_aligned_angle_deg) {

@@ -20,21 +20,21 @@ void check_segment_ids(const std::string& file,
                        std::span<const Correspondence> matches,
                        const std::array<std::vector<EdgeSegment>, 2>& segments);
 
-/// Reads a matches.csv, whose ids are those of these segments. Throws IoError as read_matches() and
-/// check_segment_ids().
+/// Reads a matches.csv, whose ids refer to these segments. Throws IoError under the same conditions
+/// as read_matches() and check_segment_ids().
 std::vector<Correspondence> read_correspondences(
     const std::string& file, const std::array<std::vector<EdgeSegment>, 2>& segments);
 
-/// Compares the matches of a patch with its reference matches; nothing if the patch has none.
-/// Throws IoError for a fault of the reference file, for example ids that no segments have.
+/// Compares the matches of a patch with its reference matches; std::nullopt if it has none. Throws
+/// IoError for an invalid reference file, for example one with ids of non-existent segments.
 std::optional<evaluate::MatchingScore> score_patch_matches(
     const io::Patch& patch,
     const std::array<std::vector<EdgeSegment>, 2>& segments,
     std::span<const Correspondence> matches);
 
-/// What the reference tracks of the patch say of tracks; empty if it has none. The first `n_views`
-/// images are those that the tracks are of; of the others nothing counts. An edge is aligned up to
-/// this angle in every pair of its images.
+/// Compares the tracks of a patch with its reference tracks; std::nullopt if it has none. The
+/// tracks come from the first `n_views` images; the other images are ignored. An edge is aligned if
+/// its angle is at most `max_aligned_angle_deg` in every pair of its images.
 std::optional<evaluate::TracksScore> score_patch_tracks(
     const io::Patch& patch,
     std::size_t n_views,

@@ -15,14 +15,13 @@
 namespace ridgeline::apps {
 namespace {
 
-/// The map that removes the distortion of the lens; empty if there is none. The view must outlive
-/// it.
+/// The map that removes lens distortion; empty without distortion. The view must outlive it.
 PixelMap ideal_from_image(const io::PatchImage& view) {
   if (!view.interior || view.interior->distortion.is_zero()) return {};
   return [&view](const Eigen::Vector2d& x_px) { return io::undistorted_px(view, x_px); };
 }
 
-/// The segments of the image's own file in pixels of what is read of the image.
+/// The segments from the image's own segment file, in pixels of the part read.
 std::vector<EdgeSegment> own_segments(const io::PatchImage& image) {
   std::vector<EdgeSegment> segments;
   for (EdgeSegment segment : io::read_own_segments(*image.segments, image.segment_sigma_px)) {

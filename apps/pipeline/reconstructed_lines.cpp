@@ -27,17 +27,18 @@ Segment3 in_world(const std::optional<Segment3>& segment_in_local, const LocalFr
           frame.world_from_local(segment_in_local->end)};
 }
 
-/// Whether the line comes from a match of two edges, and not from the intersection of two planes.
+/// Whether the line comes from a match of two edges rather than from the intersection of two
+/// planes.
 bool is_of_match(const reconstruct::ReconstructedLine& line) { return line.base().segment >= 0; }
 
-/// The number of the match, "17"; with that of the part, "17.2", if the match shows several lines.
-/// An intersection of planes has `p` and a number.
+/// The number of the match, "17"; followed by that of the part, "17.2", if the match shows several
+/// lines. For an intersection of planes, `p` and a number.
 std::string line_id(const reconstruct::ReconstructedLine& line, std::size_t number) {
   if (!is_of_match(line)) return fmt::format("p{}", number);
   return line.part == 0 ? std::to_string(number) : fmt::format("{}.{}", number, line.part);
 }
 
-/// What the first two images of the patch, its pair, show of the line.
+/// Sets the ids and positions of the line in the base pair, i.e. the first two images of the patch.
 void set_pair(const reconstruct::ReconstructedLine& line, io::Line& out) {
   for (const auto& [view, id, px] :
        {std::tuple(0U, &out.base_id, &out.base_px), std::tuple(1U, &out.other_id, &out.other_px)}) {
@@ -49,8 +50,8 @@ void set_pair(const reconstruct::ReconstructedLine& line, io::Line& out) {
   }
 }
 
-/// The class by the cameras of the base pair, the first two views: of the segments that it shows,
-/// else of the line in space; empty if there is neither.
+/// The class according to the cameras of the base pair, i.e. the first two views: from the segments
+/// in these views, else from the line in space; empty if there is neither.
 std::string class_by_base_pair(const reconstruct::ReconstructedLine& line,
                                const reconstruct::Scene& scene,
                                const io::Line& out,

@@ -30,8 +30,8 @@ struct PoolArguments {
   PageFacts page;
 };
 
-/// A run as run.json lists it: its area, the figures of its first line file, and its page, relative
-/// to the folder `out`.
+/// The entry of a run in run.json: its area, the figures of its first line file, and the path of
+/// its report relative to `out`.
 Json run_entry(const results::AreaRun& run, const std::string& out) {
   Json entry{{"folder", run.folder},
              {"area", run.bounds},
@@ -52,7 +52,7 @@ Json run_entry(const results::AreaRun& run, const std::string& out) {
   return entry;
 }
 
-/// The facts of the cloud that all runs share, and the runs.
+/// Records the facts of the cloud that all runs share, and the runs.
 void record_runs(const results::PooledRuns& pooled,
                  const std::string& out,
                  results::RunRecord& record) {
@@ -67,8 +67,8 @@ void record_runs(const results::PooledRuns& pooled,
   record.set("runs", std::move(runs));
 }
 
-/// Says what came out.
-/// @return the messages beside the table
+/// Prints the outcome.
+/// @return the messages other than the table
 std::vector<std::string> say_outcome(const std::vector<evaluate::Evaluation>& evaluations) {
   if (has_figures(evaluations)) {
     say("{}\n", evaluate::to_terminal(evaluate::make_table2(evaluations)));
@@ -82,7 +82,7 @@ std::vector<std::string> say_outcome(const std::vector<evaluate::Evaluation>& ev
   return messages;
 }
 
-/// Files that must not be written over: the data of the runs, and their results.
+/// Files that must not be overwritten: the data of the runs and their results.
 std::vector<std::string> input_paths(const results::PooledRuns& pooled) {
   std::vector<std::string> paths;
   for (const Json& input : pooled.inputs) paths.push_back(input.at("path").get<std::string>());

@@ -17,17 +17,17 @@ namespace ridgeline::python {
 template <typename T>
 using Array = pybind11::array_t<T, pybind11::array::c_style | pybind11::array::forcecast>;
 
-/// A matrix as it lies in an array of C's order.
+/// A matrix with the memory layout of a C-ordered array.
 template <int R, int C>
 using RowMajor = Eigen::Matrix<double, R, C, Eigen::RowMajor>;
 
-/// An array of doubles of this shape, all NaN.
+/// An array of doubles of this shape, filled with NaN.
 pybind11::array_t<double> nan_array(std::vector<pybind11::ssize_t> shape);
 
-/// The text of a file as a Python string; bytes that are not UTF-8 are replaced.
+/// Converts text from a file to a Python string; invalid UTF-8 bytes are replaced.
 pybind11::str python_text(const std::string& text);
 
-/// A list of value_of(row) for every row; texts are converted by python_text().
+/// A list of value_of(row) for every row; texts are converted with python_text().
 template <typename Rows, typename ValueOf>
 pybind11::list list_of(const Rows& rows, const ValueOf& value_of) {
   pybind11::list list;
@@ -41,7 +41,7 @@ pybind11::list list_of(const Rows& rows, const ValueOf& value_of) {
   return list;
 }
 
-/// An array of number(row), or of the member `number`, for every row; missing numbers are NaN.
+/// An array of number(row), or of the data member `number`, for every row; missing numbers are NaN.
 template <typename Rows, typename Number>
 pybind11::array_t<double> number_array(const Rows& rows, const Number& number) {
   pybind11::array_t<double> array = nan_array({static_cast<pybind11::ssize_t>(rows.size())});
@@ -54,8 +54,7 @@ pybind11::array_t<double> number_array(const Rows& rows, const Number& number) {
   return array;
 }
 
-/// An array (n, R, C) of matrix_of(row), an optional matrix, for every row; missing matrices are
-/// NaN.
+/// An array (n, R, C) of matrix_of(row), an optional matrix, for every row; missing ones are NaN.
 template <int R, int C, typename Rows, typename MatrixOf>
 pybind11::array_t<double> matrix_array(const Rows& rows, const MatrixOf& matrix_of) {
   pybind11::array_t<double> array = nan_array({static_cast<pybind11::ssize_t>(rows.size()), R, C});
@@ -68,7 +67,7 @@ pybind11::array_t<double> matrix_array(const Rows& rows, const MatrixOf& matrix_
   return array;
 }
 
-/// The i-th matrix of an array (n, R, C); nothing if the matrix begins with NaN.
+/// The i-th matrix of an array (n, R, C); std::nullopt if its first element is NaN.
 template <int R, int C>
 std::optional<Eigen::Matrix<double, R, C>> matrix_at(const Array<double>& array, std::size_t i) {
   const double* in = array.data() + static_cast<std::ptrdiff_t>(i) * R * C;
@@ -76,8 +75,8 @@ std::optional<Eigen::Matrix<double, R, C>> matrix_at(const Array<double>& array,
   return Eigen::Map<const RowMajor<R, C>>{in};
 }
 
-/// An entry of a dict of arrays as an array of that shape (-1: any length); nothing for None and a
-/// missing key. Throws std::invalid_argument naming the entry for another shape.
+/// An entry of a dict of arrays as an array of that shape (-1: any length); std::nullopt for None
+/// and a missing key. Throws std::invalid_argument naming the entry for a different shape.
 std::optional<Array<double>> find_array(const pybind11::dict& entries,
                                         const char* name,
                                         const std::vector<pybind11::ssize_t>& shape);

@@ -3,8 +3,8 @@
 
 #include <pybind11/pybind11.h>
 
-// Parts of the extension module `ridgeline._core`. It speaks in arrays, dicts and texts; the
-// classes that users see are Python's (folder ridgeline).
+// Parts of the extension module `ridgeline._core`. Its interface uses arrays, dicts and texts; the
+// classes for users are defined in Python (folder ridgeline).
 namespace ridgeline::python {
 
 void add_exceptions(pybind11::module_& core);

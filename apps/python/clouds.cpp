@@ -54,8 +54,7 @@ std::vector<io::TableColumn> coordinate_columns() {
           {PointAttribute::kZ, ScalarType::kFloat64, 2 * kSize, kRow}};
 }
 
-/// Turns coordinates back into the units of the files, because reading them has made metres of
-/// feet.
+/// Converts coordinates back to the units of the files, because reading converts feet to metres.
 void restore_units(io::PointCloud& cloud) {
   const double h = cloud.horizontal_unit_m, v = cloud.vertical_unit_m;
   if (h == 1.0 && v == 1.0) return;
@@ -77,7 +76,7 @@ py::array points_array(std::vector<CloudPoint> points) {
 
 py::tuple read_cloud(const std::vector<std::string>& paths, const py::dict& entries) {
   io::ReadOptions options = read_options(entries);
-  options.frame = LocalFrame{};  // coordinates as the file has them
+  options.frame = LocalFrame{};  // coordinates as in the file
   io::PointCloud cloud = interruptibly([&] {
     io::PointCloud read = io::read_cloud(paths, options);
     restore_units(read);

@@ -11,24 +11,24 @@
 
 namespace ridgeline::python {
 
-/// The options of the entries assume_crs, bounds, classes, include_withheld, last_returns,
-/// max_points, max_resolution_m, salvage and strict; each may be missing. Throws
-/// std::invalid_argument for an impossible value.
+/// The options from the entries assume_crs, bounds, classes, include_withheld, last_returns,
+/// max_points, max_resolution_m, salvage and strict; all optional. Throws std::invalid_argument for
+/// an invalid value.
 io::ReadOptions read_options(const pybind11::dict& entries);
 
-/// Points that lie in an array, which must outlive this.
+/// Points in an array, which must outlive this object.
 struct PointsInMemory {
   std::span<const std::byte> bytes;
   bool has_attributes = false;  ///< rows of io::CloudPoint, else three doubles
   io::Crs crs{};
 };
 
-/// The points of an array that read_cloud() returned or that holds doubles (n, 3). Throws
+/// The points of an array returned by read_cloud(), or of an array (n, 3) of doubles. Throws
 /// std::invalid_argument for any other array.
 PointsInMemory points_in_memory(const pybind11::array& array);
 
-/// A cloud source that reads the points. Throws std::invalid_argument for a reference system that
-/// PROJ cannot read.
+/// A cloud source for the points. Throws std::invalid_argument for a reference system that PROJ
+/// cannot read.
 std::unique_ptr<io::CloudSource> open_points(const PointsInMemory& points, const io::Crs& crs);
 
 }  // namespace ridgeline::python

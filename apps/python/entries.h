@@ -9,7 +9,7 @@
 
 namespace ridgeline::python {
 
-/// The name that messages give to a value of the type.
+/// The name of the type in messages.
 template <typename T>
 constexpr const char* name_of_type() {
   if constexpr (std::is_same_v<T, bool>) return "True or False";
@@ -20,7 +20,7 @@ constexpr const char* name_of_type() {
 }
 
 /// Sets `value` if the dict has an entry of that name other than None. Throws std::invalid_argument
-/// for a number out of the type's range, TypeError for a value of another type.
+/// for an integer out of the type's range, TypeError for a value of another type.
 template <typename T>
 void take(const pybind11::dict& entries, const char* name, T& value) {
   if (!entries.contains(name) || entries[name].is_none()) return;

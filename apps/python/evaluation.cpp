@@ -30,7 +30,7 @@ namespace ridgeline::python {
 namespace py = pybind11;
 namespace {
 
-/// The path of a file of lines, or lines in memory.
+/// The path of a line file, or lines in memory.
 using LineSource = std::variant<std::string, io::LineSet>;
 
 LineSource line_source(const py::object& lines, const char* name) {
@@ -94,7 +94,7 @@ struct CloudInput {
   std::vector<std::string> paths;
   std::optional<PointsInMemory> points;
 
-  /// Points in memory that state no reference system are in that of the lines.
+  /// Points in memory without a reference system are assumed to be in that of the lines.
   [[nodiscard]] io::CloudFiles open(const io::ReadOptions& options,
                                     const io::Crs& crs_of_lines) const {
     if (!points) return {paths, options};
@@ -138,13 +138,13 @@ std::vector<results::InputFile> input_files(const LineSource& lines,
   return files;
 }
 
-/// Lines in memory that state no reference system are in that of the cloud.
+/// Lines in memory without a reference system are assumed to be in that of the cloud.
 void take_crs(const io::Crs& of_cloud, const LineSource& source, io::LineSet& set) {
   if (std::holds_alternative<io::LineSet>(source) && !set.crs.known()) set.crs = of_cloud;
 }
 
 /// Judges lines. `lines`, `references`: path, dict of arrays, or None (references only). `cloud`:
-/// list of paths, or an array whose reference system is an entry `cloud_crs`.
+/// list of paths, or an array, with its reference system in the entry `cloud_crs`.
 Judged evaluate_lines(const py::object& lines,
                       const py::object& cloud,
                       const py::object& references,

@@ -18,21 +18,20 @@ namespace {
 
 py::handle file_error;
 
-/// The Python type of an error. A fault of data in memory is a ValueError of the caller, all others
-/// are faults of files.
+/// The Python type of an error: ValueError for invalid data in memory, otherwise a file error.
 PyObject* type_of(const io::IoError& error) {
   if (is_in_memory(error.path())) return PyExc_ValueError;
   const bool is_missing = dynamic_cast<const io::MissingFileError*>(&error) != nullptr;
   return is_missing ? PyExc_FileNotFoundError : file_error.ptr();
 }
 
-/// `text` with `to` in place of `from`, if it begins so.
+/// `text` with the prefix `from`, if present, replaced by `to`.
 std::string with_beginning(std::string text, std::string_view from, std::string_view to) {
   return text.starts_with(from) ? text.replace(0, from.size(), to) : text;
 }
 
-/// The message without line numbers if the data are in memory: there, gates are written one per
-/// line and a config on a single line.
+/// The message without line numbers if the data are in memory, where gates are written one per line
+/// and a config on a single line.
 std::string without_lines(const io::IoError& error) {
   if (error.path() == kGatesInMemory)
     return with_beginning(error.what(), "gates: line ", "gates: entry ");
@@ -41,7 +40,7 @@ std::string without_lines(const io::IoError& error) {
   return error.what();
 }
 
-/// The message without the backticks around options, which are arguments of the same name.
+/// The message without the backticks around options, which are Python arguments of the same name.
 std::string without_ticks(std::string message) {
   std::erase(message, '`');
   return message;
@@ -49,9 +48,9 @@ std::string without_ticks(std::string message) {
 
 }  // namespace
 
-/// Turns errors of C++ into those of Python: a missing file raises FileNotFoundError, another fault
-/// of a file InputFileError (an OSError), a fault of the caller ValueError, work that the end of
-/// Python stops SystemExit.
+/// Translates C++ exceptions to Python: a missing file raises FileNotFoundError, any other file
+/// error InputFileError (an OSError), an invalid argument ValueError, and work interrupted because
+/// Python is exiting SystemExit.
 void add_exceptions(py::module_& core) {
   file_error = py::exception<io::IoError>(core, "InputFileError", PyExc_OSError).release();
   file_error.attr("__doc__") =
@@ -62,7 +61,7 @@ void add_exceptions(py::module_& core) {
     try {
       std::rethrow_exception(thrown);
     } catch (const Interrupted&) {
-      PyErr_SetNone(PyExc_SystemExit);  // Python ends, and so does this thread, without a word
+      PyErr_SetNone(PyExc_SystemExit);  // Python is exiting; this thread ends silently
     } catch (const io::IoError& error) {
       PyErr_SetString(type_of(error), without_ticks(without_lines(error)).c_str());
     } catch (const std::invalid_argument& error) {

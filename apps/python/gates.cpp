@@ -28,7 +28,7 @@ evaluate::ResultFolder result_folder(const py::object& results) {
   return folder;
 }
 
-/// Applies gates to results. The gates are `gates_text`, or those of `gates_file` if the text is
+/// Applies gates to results. The gates come from `gates_text`, or from `gates_file` if the text is
 /// empty. `results`, `baseline`: folder or Judged.
 py::dict gate(const py::object& results,
               const std::string& gates_file,

@@ -9,14 +9,14 @@
 
 namespace ridgeline::python {
 
-// Names that messages give to data in memory in place of a path.
+// Names in messages for data in memory, which have no path.
 inline constexpr const char* kCloudInMemory = "cloud";
 inline constexpr const char* kGatesInMemory = "gates";
 inline constexpr const char* kLinesInMemory = "lines";
 inline constexpr const char* kReferencesInMemory = "reference_lines";
 inline constexpr const char* kViewsInMemory = "views";
 
-/// Whether a path is one of these names. A fault of such data is the caller's, not a file's.
+/// Whether a path is one of these names. Errors in such data are the caller's, not those of a file.
 inline bool is_in_memory(std::string_view path) {
   constexpr std::array<std::string_view, 6> kNames{kCloudInMemory, kGatesInMemory,
                                                    kLinesInMemory, kReferencesInMemory,

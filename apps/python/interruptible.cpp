@@ -27,7 +27,7 @@ void RunningCall::end_others() {
     }
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();  // Ctrl-C ends the wait
   }
-  Interruption::clear();  // this thread may still call
+  Interruption::clear();  // this thread may still make calls
 }
 
 void RunningCall::forget_others() {
@@ -35,7 +35,7 @@ void RunningCall::forget_others() {
   Interruption::clear();
 }
 
-/// Registers what is to be done when Python ends or forks.
+/// Registers handlers for when Python exits or forks.
 void add_endings() {
   py::module_::import("atexit").attr("register")(py::cpp_function(&RunningCall::end_others));
   const py::cpp_function forget(&RunningCall::forget_others);

@@ -13,13 +13,13 @@
 
 namespace ridgeline::python {
 
-/// A call that works without the GIL; it is made and destroyed while its thread has the GIL, which
-/// guards the count.
+/// A call that works without the GIL. It is created and destroyed while its thread holds the GIL,
+/// which protects the count.
 ///
-/// Python does not wait for daemon threads. If one of them worked in C++ while the process ends,
-/// its TBB tasks would use globals of libraries that are destroyed already, and taking the GIL
-/// again would end the thread amid C++ frames: either crashes the process. Therefore end_others()
-/// runs at exit, while threads can still take the GIL.
+/// Python does not wait for daemon threads. If one of them were working in C++ when the process
+/// exits, its TBB tasks would use library globals that have already been destroyed, and acquiring
+/// the GIL again would terminate the thread within C++ frames: either crashes the process.
+/// Therefore end_others() runs at exit, while threads can still acquire the GIL.
 class RunningCall {
  public:
   /// Throws Interrupted if is_over().
@@ -28,11 +28,11 @@ class RunningCall {
   RunningCall(const RunningCall&) = delete;
   RunningCall& operator=(const RunningCall&) = delete;
 
-  /// Stops the calls of all other threads for good, and returns when they have left C++.
+  /// Stops the calls of all other threads permanently and returns when they have left C++.
   static void end_others();
-  /// For a forked process, which has none of the other threads.
+  /// For a forked process, in which the other threads do not exist.
   static void forget_others();
-  /// Whether another thread ends Python, so that this one must not work any more.
+  /// Whether another thread is shutting Python down, so that this one must stop working.
   [[nodiscard]] static bool is_over();
 
  private:
@@ -46,8 +46,8 @@ inline bool is_main_thread() {
   return threading.attr("current_thread")().is(threading.attr("main_thread")());
 }
 
-/// Does the work outside of the main thread. If a Ctrl-C for the work of the main thread stops it,
-/// it begins anew. Throws Interrupted if Python ends meanwhile.
+/// Does the work outside the main thread. If it is stopped by a Ctrl-C meant for the main thread,
+/// it starts again. Throws Interrupted if Python exits in the meantime.
 template <typename Work>
 std::invoke_result_t<Work> uninterrupted(const Work& work) {
   constexpr std::chrono::milliseconds kBetweenAppearances{1};
@@ -64,8 +64,8 @@ std::invoke_result_t<Work> uninterrupted(const Work& work) {
   }
 }
 
-/// Does the work in a thread of its own; meanwhile Python's signal handlers run, and if one raises,
-/// the work is stopped. The caller must not hold the GIL.
+/// Does the work in a separate thread while Python's signal handlers run; if a handler raises, the
+/// work is stopped. The caller must not hold the GIL.
 template <typename Work>
 std::invoke_result_t<Work> in_a_thread(const Work& work) {
   namespace py = pybind11;
@@ -86,10 +86,10 @@ std::invoke_result_t<Work> in_a_thread(const Work& work) {
   return result.get();
 }
 
-/// Does the work without the GIL, so that Python's other threads go on. In the main thread Ctrl-C
-/// stops it and raises KeyboardInterrupt. In any other thread the end of Python stops it:
-/// Interrupted is thrown, which becomes SystemExit. All work without the GIL must go through here.
-/// The work must not touch Python's objects, and must be able to begin anew.
+/// Does the work without the GIL, so that Python's other threads keep running. In the main thread,
+/// Ctrl-C stops it and raises KeyboardInterrupt. In any other thread, it is stopped when Python
+/// exits: Interrupted is thrown, which becomes SystemExit. All work without the GIL must use this
+/// function. The work must not access Python objects and must be restartable.
 template <typename Work>
 std::invoke_result_t<Work> interruptibly(const Work& work) {
   const RunningCall running;

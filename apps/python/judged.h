@@ -10,7 +10,7 @@
 
 namespace ridgeline::python {
 
-/// What evaluate() made of one set of lines, behind ridgeline.Result.
+/// The result of evaluate() for one set of lines, wrapped by ridgeline.Result.
 struct Judged {
   results::JudgedFiles files;
   results::RunRecord record{"evaluate"};
@@ -19,7 +19,7 @@ struct Judged {
   [[nodiscard]] const evaluate::Evaluation& evaluation() const { return files.evaluations.front(); }
 };
 
-/// The class `Judged`: its figures as dicts and tables, and the files that it writes.
+/// Adds the class `Judged`: figures as dicts and tables, and methods that write files.
 void add_judged(pybind11::module_& core);
 
 }  // namespace ridgeline::python

@@ -66,7 +66,7 @@ void take_texts(const py::dict& arrays, std::vector<Line>& lines) {
   }
 }
 
-/// Calls set(line, number of the line, array) for every line if there is an array of that name.
+/// Calls set(line, line index, array) for every line if there is an array of that name.
 template <typename Set>
 void take_array(const py::dict& arrays,
                 const char* name,

@@ -12,8 +12,8 @@ namespace ridgeline::python {
 /// kind, building. A text: crs. Missing numbers are NaN, missing texts "".
 pybind11::dict dict_of(const io::LineSet& set);
 
-/// The set of lines of such a dict, of which all but `segments` may be missing. Messages give
-/// `name` in place of a path. Throws std::invalid_argument for arrays of another shape.
+/// The set of lines from such a dict, in which only `segments` is required. Messages show `name`
+/// instead of a path. Throws std::invalid_argument for arrays of a different shape.
 io::LineSet line_set_of(const pybind11::dict& arrays, const std::string& name);
 
 }  // namespace ridgeline::python

@@ -46,8 +46,8 @@ reconstruct::Options options_of(const py::dict& entries) {
   return options;
 }
 
-/// The lines of a patch. `read` gives the normalised images, which are checked against their
-/// cameras.
+/// Reconstructs the lines of a patch. `read` returns the normalised images, which are checked
+/// against their cameras.
 template <typename Read>
 py::dict lines_of(const io::Patch& patch, const reconstruct::Options& options, const Read& read) {
   return dict_of(interruptibly([&] {
@@ -65,8 +65,8 @@ py::dict lines_of(const io::Patch& patch, const reconstruct::Options& options, c
   }));
 }
 
-/// The lines of views in memory. `entries`: those of patch_of_views(), and `images`, a list of
-/// contiguous arrays.
+/// Reconstructs the lines from views in memory. `entries`: those of patch_of_views() and `images`,
+/// a list of contiguous arrays.
 py::dict reconstruct_views(const py::dict& entries) {
   const io::Patch patch = patch_of_views(entries);
   const auto arrays = entries["images"].cast<std::vector<py::array>>();

@@ -10,12 +10,13 @@
 
 namespace ridgeline::python {
 
-/// Oriented images in memory as a patch without files. Entries: `views`, a list of tuples (id, 3x4
-/// matrix), `height_range_m` and `crs`. Throws std::invalid_argument for impossible values.
+/// A patch without files from oriented images in memory. Entries: `views`, a list of tuples (id,
+/// 3x4 matrix), `height_range_m` and `crs`. Throws std::invalid_argument for invalid values.
 io::Patch patch_of_views(const pybind11::dict& entries);
 
-/// The pixels of an array (height, width) or (height, width, bands) of uint8 or uint16, which must
-/// outlive it. Throws std::invalid_argument naming `id` for another array.
+/// An image that refers to the pixels of an array (height, width) or (height, width, bands) of
+/// uint8 or uint16; the array must outlive it. Throws std::invalid_argument naming `id` for any
+/// other array.
 cv::Mat image_of(const pybind11::array& array, const std::string& id);
 
 }  // namespace ridgeline::python

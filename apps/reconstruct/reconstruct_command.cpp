@@ -43,8 +43,8 @@ struct ReconstructArguments {
   bool overwrite = false;
 };
 
-/// Gives the views the segments that the matches name: those of segments.IMAGE.csv beside the file
-/// of matches, else those extracted now.
+/// Gives the views the segments to which the matches refer: from segments.IMAGE.csv next to the
+/// match file, else newly extracted ones.
 void find_segments(const io::Patch& patch,
                    const ReconstructArguments& a,
                    reconstruct::Scene& scene) {
@@ -53,7 +53,7 @@ void find_segments(const io::Patch& patch,
   const auto files = transformed(
       patch.images, [&](const io::PatchImage& image) { return folder / segments_file(image); });
   const auto is_there = [](const fs::path& file) { return fs::exists(file); };
-  // All images, as these are searched at a common size.
+  // Extract from all images, because they are searched at a common size.
   if (!std::ranges::all_of(files, is_there))
     reconstruct::extract(scene.views, a.options.extraction);
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -61,8 +61,8 @@ void find_segments(const io::Patch& patch,
   }
 }
 
-/// The matches of the file, which are those of the first two images, or those made now of all
-/// images. Segments that are found then are added to the scene.
+/// The matches from the file, which are those of the first two images, or new matches of all
+/// images. Segments found during matching are added to the scene.
 reconstruct::Matched find_matches(reconstruct::Scene& scene, const ReconstructArguments& a) {
   if (a.matches.empty())
     return reconstruct::match_all(scene, pairs_of(scene, a.options), a.options);
@@ -76,7 +76,7 @@ reconstruct::Matched find_matches(reconstruct::Scene& scene, const ReconstructAr
   return of_file;
 }
 
-/// Writes all points of the surface. Throws IoError for a pair without a surface.
+/// Writes all points of the surface. Throws IoError if the pair has no surface.
 void write_whole_surface(const std::string& file,
                          const io::Patch& patch,
                          const std::optional<reconstruct::Surface>& surface) {
@@ -86,7 +86,7 @@ void write_whole_surface(const std::string& file,
                 patch.crs);
 }
 
-/// The lines of the patch, from the matches of a file or from those made now.
+/// Reconstructs the lines of the patch, from the matches in a file or from new ones.
 std::vector<reconstruct::ReconstructedLine> lines_of(const io::Patch& patch,
                                                      const ReconstructArguments& a) {
   reconstruct::Scene scene = patch_scene(patch, patch_images(patch, a.max_image_mpx));
@@ -109,8 +109,8 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::Patch& patch,
   return reconstruct::estimate(scene, found.tracks, used_pairs(found.pairs), a.options);
 }
 
-/// The format of --format, else of the name's ending; GeoJSON if neither says it. Throws
-/// std::invalid_argument if both differ, or for an ending of no format.
+/// The format given by --format, else by the file extension; GeoJSON if neither is given. Throws
+/// std::invalid_argument if they differ, or for an unknown extension.
 io::LineFormat format_of(const ReconstructArguments& a) {
   const std::optional<io::LineFormat> by_ending = io::line_format_of_file(a.out);
   const std::optional<io::LineFormat> stated = io::line_format(a.format);

@@ -7,7 +7,7 @@ namespace ridgeline::apps {
 
 std::string base64(std::span<const std::byte> bytes) {
   std::string text((bytes.size() + 2) / 3 * 4, '\0');
-  // EVP_EncodeBlock ends its text with a NUL, as std::string does
+  // EVP_EncodeBlock appends a NUL, which std::string has as well
   EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
                   reinterpret_cast<const unsigned char*>(bytes.data()),
                   static_cast<int>(bytes.size()));

@@ -9,10 +9,10 @@
 
 namespace ridgeline::apps {
 
-/// Encodes bytes as base64 of RFC 4648, padded and without line breaks.
+/// Encodes bytes as base64 (RFC 4648), padded and without line breaks.
 std::string base64(std::span<const std::byte> bytes);
 
-/// Encodes the values as they lie in memory: little endian on every platform that is built for.
+/// Encodes the values as they are stored in memory: little-endian on every supported platform.
 template <typename T>
 std::string base64(const std::vector<T>& values) {
   static_assert(std::is_arithmetic_v<T>);

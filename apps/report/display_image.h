@@ -5,8 +5,8 @@
 
 namespace ridgeline::apps {
 
-/// A normalised image for a browser: 8 bits, its first three bands or the first one in grey, at
-/// most about a megapixel.
+/// Converts a normalised image for display in a browser: 8 bits, its first three bands or, in grey,
+/// its first band, at most about a megapixel.
 cv::Mat display_image(const cv::Mat& normalised);
 
 }  // namespace ridgeline::apps

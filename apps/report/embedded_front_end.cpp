@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/report/page.h"
 
-// The assembler puts the committed bundle into the program as it is; no compiler reads it.
+// The assembler embeds the committed bundle in the program unchanged; no compiler parses it.
 asm(R"(
 .section .rodata
 .global kRidgelineFrontEndScriptBegin, kRidgelineFrontEndScriptEnd

@@ -23,8 +23,8 @@ std::vector<std::optional<io::Line>> in_order_of(const std::vector<LineEvaluatio
   for (std::size_t i = 0; i < set.lines.size(); ++i) index.try_emplace(set.lines[i].id, i);
   std::vector<std::optional<io::Line>> lines(judged.size());
   for (std::size_t i = 0; i < judged.size(); ++i) {
-    // the line at the same place of the file goes before another one of the same id, as ids may
-    // occur twice
+    // ids may occur twice: the line at the same position in the file takes precedence over others
+    // with its id
     const std::string& id = judged[i].id;
     const auto found = index.find(id);
     if (i < set.lines.size() && set.lines[i].id == id) {

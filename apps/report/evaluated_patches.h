@@ -11,8 +11,7 @@
 
 namespace ridgeline::apps {
 
-/// Runs `read`. A fault of any kind becomes a note, because the rest of the report does not depend
-/// on it.
+/// Runs `read`. Any exception becomes a note, because the rest of the report does not depend on it.
 template <typename Read>
 void read_or_note(ReportPatch& patch, const char* what, const Read& read) {
   try {
@@ -22,8 +21,8 @@ void read_or_note(ReportPatch& patch, const char* what, const Read& read) {
   }
 }
 
-/// The patches and methods of results::read_evaluations() in the order of the folder's table2.json,
-/// with their lines.
+/// Reads the patches and methods of results::read_evaluations(), with their lines, in the order of
+/// the folder's table2.json.
 std::vector<ReportPatch> read_evaluated_patches(const std::filesystem::path& folder,
                                                 const RunInputs& inputs);
 

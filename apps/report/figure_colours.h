@@ -5,8 +5,8 @@
 
 namespace ridgeline::apps {
 
-/// Okabe and Ito's colours, which the colour-blind tell apart; the page uses the same (report.css,
-/// colours.ts). The order is that of OpenCV: blue, green, red.
+/// Okabe and Ito's colours, which colour-blind readers can distinguish; the page uses the same ones
+/// (report.css, colours.ts). The channels are in OpenCV's order: blue, green, red.
 namespace colour {
 inline const cv::Scalar kSkyBlue(233, 180, 86);
 inline const cv::Scalar kGreen(115, 158, 0);

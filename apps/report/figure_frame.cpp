@@ -13,7 +13,7 @@ namespace {
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 const cv::Scalar kInk(30.0, 30.0, 30.0);
 
-/// All sizes follow the width of the picture, so that figures of all sizes read alike in print.
+/// All sizes scale with the width of the picture, so that figures of any size look alike in print.
 struct PageLayout {
   explicit PageLayout(int width_px) : text_scale(std::clamp(width_px / 1600.0, 0.35, 3.0)) {}
   [[nodiscard]] int px(double at_1600) const { return cvRound(at_1600 * text_scale); }
@@ -52,7 +52,8 @@ void draw_mark(cv::Mat& page, const LegendEntry& entry, cv::Point at, const Page
   }
 }
 
-/// Draws the entries from left to right, in a new row where one is full. Returns the y below them.
+/// Draws the entries from left to right, starting a new row when one is full. Returns the y of the
+/// last row.
 int draw_legend(cv::Mat& page,
                 const std::vector<LegendEntry>& legend,
                 int top,
@@ -87,8 +88,7 @@ void draw_scale(cv::Mat& page, const FigureFrame& frame, int y, const PageLayout
   at.write(page, fmt::format("{:g} m{}", bar_m, note), {right.x + at.px(14), y + at.px(10)});
 }
 
-/// The number of pixel rows that the legend needs, measured by drawing it onto a page that is
-/// thrown away.
+/// The height of the legend in pixels, measured by drawing it on a page that is discarded.
 int legend_height(int cols, const std::vector<LegendEntry>& legend, const PageLayout& at) {
   cv::Mat page(1, cols, CV_8UC3);
   return legend.empty() ? 0 : draw_legend(page, legend, 0, at) + at.px(10);

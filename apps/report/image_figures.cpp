@@ -24,7 +24,7 @@ class SegmentPicture {
     if (scale_ < 1.0) cv::resize(image, shown, {}, scale_, scale_, cv::INTER_AREA);
     canvas_ = overlay_canvas(shown);
     canvas_scale_ = static_cast<double>(canvas_.cols) / shown.cols;
-    // faded, so that dark and bright lines both stand out
+    // faded, so that both dark and bright lines stand out
     canvas_.convertTo(canvas_, -1, 0.7, 40.0);
   }
 
@@ -46,7 +46,7 @@ class SegmentPicture {
   }
 
   [[nodiscard]] const cv::Mat& canvas() const { return canvas_; }
-  /// Pixels of the canvas for one pixel of the image.
+  /// Canvas pixels per image pixel.
   [[nodiscard]] double scale() const { return scale_ * canvas_scale_; }
 
  private:
@@ -62,7 +62,7 @@ class SegmentPicture {
 constexpr int kThin = 1;
 constexpr int kThick = 2;
 
-/// Pixels of the image per metre, along its rows at its middle and at the mean height of the patch.
+/// Image pixels per metre along a row in the middle of the image, at the mean height of the patch.
 double px_per_m(const ReportPatch& patch, std::size_t image) {
   constexpr double kHalf_px = 50.0;
   const auto [low_m, high_m] = io::heights_in_local_m(*patch.patch, patch.frame);
@@ -90,7 +90,7 @@ cv::Mat framed_image(const SegmentPicture& picture,
                  .scale_note = "at mid height, in the middle of the image"});
 }
 
-/// The segment of an image that a match names.
+/// The segment of a match in an image.
 const Segment2& segment_of(const ReportImages& images,
                            std::size_t image,
                            const Correspondence& match) {

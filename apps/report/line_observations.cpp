@@ -10,7 +10,7 @@
 namespace ridgeline::apps {
 namespace {
 
-/// The text as an index, or nothing if it is not a number: ids of other tools are text.
+/// The id as an index; std::nullopt if it is not a number, because ids of other tools may be text.
 std::optional<int> index_of(std::string_view id) {
   int index = 0;
   const auto [end, fault] = std::from_chars(id.data(), id.data() + id.size(), index);
@@ -18,8 +18,8 @@ std::optional<int> index_of(std::string_view id) {
   return index;
 }
 
-/// The track that a line was made from: lines "17" and "17.2" from track 17. Nothing if the track
-/// has not the line's images.
+/// The track from which a line was made: track 17 for lines "17" and "17.2". nullptr if there is
+/// none or its images are not those of the line.
 const Track* track_of(const ReportPatch& patch, const io::Line& line) {
   const auto number = index_of(std::string_view(line.id).substr(0, line.id.find('.')));
   if (!patch.images || !number) return nullptr;
@@ -50,7 +50,7 @@ const EdgeSegment* segment_of(const ReportImages& images, const LineInImage& see
   return is_known ? &segments[static_cast<std::size_t>(*seen.segment)] : nullptr;
 }
 
-/// An observation whose offset is not known, or the offset of one and its verdict.
+/// The state of a line in an image where it has a segment, with its offset if that can be computed.
 LineInView observed(const ReportImages& images,
                     const ProjectionMatrix& camera,
                     const io::Line& line,
@@ -65,14 +65,14 @@ LineInView observed(const ReportImages& images,
   return {differs ? ViewOfLine::kDiffers : ViewOfLine::kAgrees, offset};
 }
 
-/// Of several segments of a line in one image, the one that is off by more of its sigmas speaks for
-/// all.
+/// Whether `a` is off by more of its sigmas than `b`. The worst of several segments of a line in
+/// one image represents all of them.
 bool is_worse(const LineInView& a, const LineInView& b) {
   if (!a.offset || !b.offset) return b.offset.has_value() < a.offset.has_value();
   return a.offset->offset_px * b.offset->sigma_px > b.offset->offset_px * a.offset->sigma_px;
 }
 
-/// The images that any line of the method has a segment of.
+/// The images in which any line of the method has a segment.
 std::set<std::size_t> used_views(const std::vector<std::vector<LineInImage>>& observations) {
   std::set<std::size_t> used;
   for (const auto& of_line : observations) {

@@ -10,25 +10,25 @@
 
 namespace ridgeline::apps {
 
-/// A segment that an image of the patch shows of a line.
+/// A segment in one of the patch's images that shows a line.
 struct LineInImage {
   std::size_t view = 0;
-  std::optional<int> segment;  ///< its number in the image's segment file, if that is known
-  std::optional<Segment2> px;  ///< as the line was made from it, ideal pixels
+  std::optional<int> segment;  ///< its number in the image's segment file, if known
+  std::optional<Segment2> px;  ///< as used to reconstruct the line, ideal pixels
 };
 
-/// What a line states of its image segments, in its order. Images that the patch does not have are
-/// passed over.
+/// The image segments that the line lists, in their order. Images that are not in the patch are
+/// skipped.
 std::vector<LineInImage> observations_of(const ReportPatch& patch, const io::Line& line);
 
-/// What one image shows of a line.
+/// How a line appears in one image.
 struct LineInView {
   ViewOfLine state = ViewOfLine::kOutside;
   std::optional<Offset> offset;
 };
 
-/// What each image of a patch shows of each line of a method, by line and image; empty for patches
-/// of two images or without images. Lines that are not known have none.
+/// How each line of a method appears in each image of a patch, indexed by line and image; empty for
+/// patches without images or with only two. Lines that could not be read have no entries.
 std::vector<std::vector<LineInView>> lines_in_views(const ReportPatch& patch,
                                                     const ReportMethod& method);
 

@@ -20,7 +20,7 @@ Eigen::Vector2d distances_px(const ProjectionMatrix& camera,
   return {n.dot(px.start - seen.start), n.dot(px.end - seen.start)};
 }
 
-/// Variances of the ends of a regression line across it.
+/// Variances across a regression line at the ends of the segment.
 Eigen::Vector2d variances_px2(const UncertainSegment2& line, const Segment2& px) {
   const Eigen::Vector2d u = along(px);
   const auto variance = [&](const Eigen::Vector2d& end) {
@@ -37,12 +37,12 @@ std::optional<Offset> offset_of(const ProjectionMatrix& camera,
                                 const Eigen::Matrix<double, 6, 6>& covariance_m2,
                                 const Segment2& px,
                                 const UncertainSegment2* uncertain) {
-  constexpr double kMinLength_px = 1.0;  // what is shorter has no direction
+  constexpr double kMinLength_px = 1.0;  // shorter projections have no direction
   if (!(length(project(camera, line)) > kMinLength_px)) return std::nullopt;
   Vector6d ends;
   ends << line.start, line.end;
   const Eigen::Vector2d d = distances_px(camera, ends, px);
-  constexpr double kStep_m = 1e-3;  // a projection is as good as linear over it
+  constexpr double kStep_m = 1e-3;  // the projection is practically linear over this distance
   Eigen::Matrix<double, 2, 6> jacobian;
   for (Eigen::Index i = 0; i < 6; ++i) {
     const Vector6d step = kStep_m * Vector6d::Unit(i);
@@ -71,7 +71,8 @@ ImageField::ImageField(const ProjectionMatrix& image_from_local,
       centre_in_local_(projection_centre(image_from_local).hnormalized()),
       size_px_(size_px) {
   if (surface_in_local.empty()) return;
-  // cells that hold about four points, so that few lie behind a surface and have none of its points
+  // each cell holds about four points, so that few cells covered by a surface have none of its
+  // points
   constexpr double kPointsPerCell = 4.0;
   cell_px_ = std::max(1.0, std::sqrt(kPointsPerCell * size_px.prod() /
                                      static_cast<double>(surface_in_local.size())));
@@ -97,7 +98,7 @@ std::size_t ImageField::cell_of(const Eigen::Vector2d& x_px) const {
 }
 
 bool ImageField::is_hidden(const Eigen::Vector3d& x_in_local) const {
-  constexpr double kMargin_m = 1.0;  // the surface has errors, and a cell a depth
+  constexpr double kMargin_m = 1.0;  // for errors of the surface and the range of depths in a cell
   if (nearest_m_.empty()) return false;
   const double nearest_m = nearest_m_[cell_of(project(image_from_local_, x_in_local))];
   return nearest_m < (x_in_local - centre_in_local_).norm() - kMargin_m;

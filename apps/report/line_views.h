@@ -16,55 +16,56 @@
 
 namespace ridgeline::apps {
 
-/// How far an image segment is from the projection of its line, at the end where this is more of
-/// its sigma.
+/// Distance of an image segment from the projection of its line, at the end where it exceeds its
+/// sigma by the larger factor.
 struct Offset {
   double offset_px = 0.0;
   double sigma_px = 0.0;
 };
 
-/// Distances of both ends of a segment across the projected line. Sigma has a part of the line and,
-/// if `uncertain` is given, one of the segment. As the line was adjusted to the segment, the true
-/// sigma is smaller, so what exceeds this one is no chance. Nothing for a line whose projection is
-/// no line.
+/// Computes the distance of each end of a segment from the projected line and returns the worse
+/// one. Sigma combines the contributions of the line and, if `uncertain` is given, of the segment.
+/// The line was adjusted to the segment, so the true sigma is smaller, and an offset that is large
+/// compared with this one is not due to chance. std::nullopt if the projection of the line has no
+/// direction or the result is not finite.
 ///
-/// @param covariance_m2  of (start, end) of the line
-/// @param px             ideal pixels
+/// @param covariance_m2  of the line's (start, end)
+/// @param px             the segment, ideal pixels
 std::optional<Offset> offset_of(const ProjectionMatrix& image_from_local,
                                 const Segment3& line,
                                 const Eigen::Matrix<double, 6, 6>& covariance_m2,
                                 const Segment2& px,
                                 const UncertainSegment2* uncertain);
 
-/// A segment off by more of its sigmas than this disagrees with its line: one end of a thousand
-/// does by chance.
+/// A segment that is off by more than this many sigmas disagrees with its line; by chance, one end
+/// in a thousand does.
 inline constexpr double kMaxSigmas = 3.29;
 
-/// What an image shows of a line.
+/// How a line appears in an image.
 enum class ViewOfLine : std::uint8_t {
-  kAgrees,    ///< a segment on the projection of the line
-  kDiffers,   ///< a segment that is farther from the projection than its sigma allows
-  kObserved,  ///< a segment, of a line without geometry or covariance
-  kMissing,   ///< no segment, though the line lies in the image and nothing hides it
-  kHidden,    ///< no segment, and points of the surface hide the line
-  kBorder,    ///< no segment, and a part of the line lies outside of the image
-  kOutside,   ///< the line does not lie in the image
-  kNotUsed,   ///< no line of the method has a segment of this image
+  kAgrees,    ///< a segment lies on the projection of the line
+  kDiffers,   ///< a segment is farther from the projection than its sigma allows
+  kObserved,  ///< a segment whose offset is unknown, e.g. because the line has no covariance
+  kMissing,   ///< no segment, although the line lies in the image and nothing hides it
+  kHidden,    ///< no segment; points of the surface hide the line
+  kBorder,    ///< no segment; an end of the line is outside the image or at its border
+  kOutside,   ///< the line lies outside the image
+  kNotUsed,   ///< no line of the method has a segment in this image
 };
 
 /// "agrees", "differs", "sighted", "missing", "hidden", "border", "outside", "not_used"
 std::string_view name(ViewOfLine state);
 
-/// What an image can show: it knows which places are hidden by points of the surface.
+/// Determines what an image can show, taking into account which places are hidden by points of the
+/// surface.
 class ImageField {
  public:
-  /// @param surface_in_local  may be empty: then nothing is hidden
+  /// @param surface_in_local  may be empty, in which case nothing is hidden
   ImageField(const ProjectionMatrix& image_from_local,
              const Eigen::Vector2d& size_px,
              std::span<const Eigen::Vector3d> surface_in_local);
 
-  /// What the image shows of a line of which it has no segment: kMissing, kHidden, kBorder or
-  /// kOutside.
+  /// The state of a line that has no segment in the image: kMissing, kHidden, kBorder or kOutside.
   [[nodiscard]] ViewOfLine unobserved(const Segment3& line_in_local) const;
 
  private:
@@ -77,7 +78,7 @@ class ImageField {
   Eigen::Vector2d size_px_;
   double cell_px_ = 1.0;
   std::size_t columns_ = 0;
-  std::vector<double> nearest_m_;  ///< by cell: distance of its nearest point from the camera
+  std::vector<double> nearest_m_;  ///< for each cell: distance of its nearest point from the camera
 };
 
 }  // namespace ridgeline::apps

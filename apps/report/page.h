@@ -11,15 +11,16 @@ struct FrontEnd {
   std::string_view script, style;
 };
 
-FrontEnd run_front_end();    ///< of the report of a run
-FrontEnd block_front_end();  ///< of the report of a block and of its patches' pages
+FrontEnd run_front_end();    ///< for the report of a run
+FrontEnd block_front_end();  ///< for the report of a block and the pages of its patches
 
-/// JSON text that may stand in an HTML script element: every `<` is written \u003c, so that nothing
-/// in it can close the element or open a comment. It reads back as the same value.
+/// Makes JSON text safe inside an HTML script element: every `<` is written as \u003c, so that
+/// nothing in it can close the element or open a comment. The text still parses to the same value.
 std::string script_safe(std::string_view json);
 
-/// The whole page: one file that needs no network and, by its content security policy, can load
-/// nothing. `data` is JSON; the front end builds everything that is shown from it.
+/// Returns the whole page: one file that needs no network and whose content security policy
+/// prevents it from loading anything. `data` is JSON, from which the front end builds everything
+/// that is shown.
 std::string report_page(std::string_view title, std::string_view data, const FrontEnd& front_end);
 
 }  // namespace ridgeline::apps

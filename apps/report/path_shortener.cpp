@@ -7,7 +7,7 @@
 namespace ridgeline::apps {
 namespace {
 
-/// Whether a path begins at this place of the text. Within a longer path the answer is no.
+/// Whether a path begins at this position of the text; false within a longer path.
 bool begins_path(const std::string& text, std::size_t at) {
   static constexpr std::string_view kWithin = "/._-";
   if (at == 0) return true;

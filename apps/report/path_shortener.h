@@ -8,20 +8,20 @@
 
 namespace ridgeline::apps {
 
-/// Takes the folders of known files out of texts that are passed on: where the data lies is the
-/// sender's own business.
+/// Removes the folders of known files from texts that are passed on, because the location of the
+/// data concerns only the sender.
 class PathShortener {
  public:
-  /// `paths` are files and folders, in the form in which texts name them.
+  /// `paths`: files and folders, written as in the texts.
   explicit PathShortener(const std::vector<std::string>& paths);
 
-  /// Removes the folders of the known paths from the text, wherever a path in one of them stands.
+  /// Removes the folders of the known paths wherever the text contains a path in one of them.
   void shorten(std::string& text) const;
-  /// Shortens all texts within `json`.
+  /// Shortens all strings in `json`.
   void shorten(evaluate::Json& json) const;
 
  private:
-  std::vector<std::string> folders_;  ///< with the closing slash, longest first
+  std::vector<std::string> folders_;  ///< with a trailing slash, longest first
 };
 
 }  // namespace ridgeline::apps

@@ -57,7 +57,7 @@ void read_tracks_and_pairs(const fs::path& folder,
   }
 }
 
-/// Reads the segments and what was found with them, if the run has extracted any.
+/// Reads the segments, matches and tracks, if the run has extracted segments.
 void read_segments_and_matches(const fs::path& folder,
                                const io::Patch& patch,
                                ReportImages& images) {
@@ -95,8 +95,8 @@ void read_images(const fs::path& folder, const RunInputs& inputs, ReportPatch& p
   patch.images = std::move(shown);
 }
 
-/// The surroundings of the lines, to which a cloud is cut that may cover a town; nothing if there
-/// are no lines.
+/// The surroundings of the lines, to which the cloud is limited because it may cover a town;
+/// std::nullopt if there are no lines.
 std::optional<io::PlanMask> mask_around_lines(const ReportPatch& patch) {
   constexpr double kRadius_m = 10.0;
   std::vector<Segment2> segments;
@@ -109,7 +109,7 @@ std::optional<io::PlanMask> mask_around_lines(const ReportPatch& patch) {
   return io::PlanMask(segments, kRadius_m);
 }
 
-/// The box in plan around most of the lines; the few that lie far off are not in it.
+/// The box in plan around most of the lines, without the few that lie far off.
 std::optional<Eigen::AlignedBox3d> box_of_lines(const ReportPatch& patch) {
   constexpr double kMargin_m = 20.0;
   constexpr double kShareCut = 0.01;
@@ -136,13 +136,13 @@ std::optional<Eigen::AlignedBox3d> box_of_lines(const ReportPatch& patch) {
   return box;
 }
 
-/// Reads the cloud. It may cover a town, so only points around the lines are kept, thinned to those
-/// that are shown.
+/// Reads the cloud. It may cover a town, so only points around the lines are kept, thinned to the
+/// number shown.
 void read_points(const std::vector<std::string>& files,
                  const RunInputs& inputs,
                  ReportPatch& patch) {
   for (const std::string& file : io::expand_patterns(files)) (void)inputs.unchanged(file);
-  constexpr std::uint64_t kMaxPoints = 4'000'000;  // held while they are thinned, 128 MB
+  constexpr std::uint64_t kMaxPoints = 4'000'000;  // held during thinning, 128 MB
   io::ReadOptions options = inputs.cloud_options();
   options.frame = patch.frame;
   io::CloudFiles cloud_files(files, options);
@@ -157,7 +157,7 @@ void read_points(const std::vector<std::string>& files,
   patch.notes.insert(patch.notes.end(), cloud.warnings.begin(), cloud.warnings.end());
 }
 
-/// Reads the points of the surface that the run kept, if there are any.
+/// Reads the points of the surface, if the run saved any.
 void read_surface(const fs::path& folder, ReportPatch& patch) {
   const auto file = MadeFrom(folder).written_file(kSurfaceStage, kSurfaceFile);
   if (!file) return;
@@ -187,8 +187,8 @@ void read_true_errors(const RunInputs& inputs, const std::string& reference, Rep
   }
 }
 
-/// Adds the rows of a table, as JSON, to those of the method that each is of. `numbers` that a row
-/// does not have are null. Nothing without the file, which older runs do not have.
+/// Adds each row of a table, as JSON, to the rows of its method. Missing `numbers` become null.
+/// Does nothing without the file, which older runs lack.
 void read_rows(const fs::path& file,
                const std::vector<const char*>& texts,
                const std::vector<const char*>& numbers,
@@ -266,7 +266,7 @@ void read_run_data(const fs::path& folder, const RunInputs& inputs, ReportPatch&
   }
 }
 
-/// A shortener that knows all paths that a text of the report may name.
+/// A shortener for all paths that may occur in the texts of the report.
 PathShortener path_shortener(const std::string& folder,
                              const RunInputs& inputs,
                              const std::vector<ReportPatch>& patches) {

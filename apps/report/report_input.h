@@ -28,51 +28,52 @@ namespace ridgeline::apps {
 /// One method (or line file) on one patch.
 struct ReportMethod {
   evaluate::Evaluation evaluation;
-  /// The judged lines in metres, by the index in `evaluation`; nothing for a line whose file is
-  /// gone.
+  /// The judged lines in metres, in the order of `evaluation`; std::nullopt for a line that could
+  /// not be read.
   std::vector<std::optional<io::Line>> lines;
-  /// The judged lines as segments in the patch's frame, where their file has them; nothing where
-  /// `lines` has none or coordinates are not finite.
+  /// The judged lines as segments in the patch's frame, at the positions in their file;
+  /// std::nullopt if `lines` has none or if coordinates are not finite.
   std::vector<std::optional<Segment3>> segments;
-  /// By how much the lines were moved before they were judged.
+  /// The shift applied to the lines before they were judged.
   [[nodiscard]] Eigen::Vector3d moved_m() const {
     const auto& shift = evaluation.shift;
     return shift && shift->applied ? Eigen::Vector3d(-shift->shift_m) : Eigen::Vector3d::Zero();
   }
-  /// A line where it was judged.
+  /// A line at the position where it was judged.
   [[nodiscard]] std::optional<Segment3> judged_segment(std::size_t i) const {
     if (!segments[i]) return std::nullopt;
     return Segment3{segments[i]->start + moved_m(), segments[i]->end + moved_m()};
   }
-  /// The rows of buildings.csv, if the lines are those of a model; else empty.
+  /// The rows of buildings.csv if the lines belong to a building model; otherwise empty.
   evaluate::Json buildings = evaluate::Json::array();
   /// The rows of to_fix.csv.
   evaluate::Json to_fix = evaluate::Json::array();
-  std::vector<std::optional<double>> true_errors_m;  ///< error of each line; empty without truth
+  std::vector<std::optional<double>>
+      true_errors_m;  ///< error of each line; empty without true lines
 };
 
-/// The matches of a pair of images, given by their places in the patch.
+/// The matches of a pair of images, which are given by their indices in the patch.
 struct ReportPair {
   ViewPair views;
   std::vector<Correspondence> matches;
 };
 
-/// The images of a patch with segments and matches. It exists only if all of these could be read.
+/// The images of a patch with their segments and matches. Present only if all of these could be
+/// read.
 struct ReportImages {
   std::vector<cv::Mat> pictures;          ///< display_image() of each image
-  std::vector<Eigen::Vector2d> sizes_px;  ///< of the images themselves
+  std::vector<Eigen::Vector2d> sizes_px;  ///< of the images, not of `pictures`
   std::array<cv::Mat, 2> base_pair;       ///< the first two images, normalised
   std::vector<std::vector<EdgeSegment>> segments;
   std::vector<ReportPair> pairs;  ///< the base pair, then further pairs that were matched
-  std::vector<Track> tracks;      ///< of three images and more
-  std::optional<evaluate::MatchingScore>
-      score;  ///< of the base pair; exists with reference matches
-  std::map<std::string, std::size_t> n_unmatched;  ///< left segments by reason
+  std::vector<Track> tracks;      ///< only with three or more images
+  std::optional<evaluate::MatchingScore> score;  ///< of the base pair; only with reference matches
+  std::map<std::string, std::size_t> n_unmatched;  ///< unmatched left segments by reason
 };
 
 struct ReportPatch {
   std::string id;
-  std::string subfolder;  ///< folder of its files in the results: "" or "PATCH/"
+  std::string subfolder;  ///< its folder in the results: "" or "PATCH/"
   LocalFrame frame;
   std::vector<ReportMethod> methods;
   std::optional<io::Patch> patch;
@@ -80,29 +81,29 @@ struct ReportPatch {
   ShownCloud cloud;
   /// Points of the pair's surface; empty if it has none.
   std::vector<Eigen::Vector3d> surface_in_local;
-  evaluate::JudgeOptions judge;  ///< widths that its planes were fitted with
+  evaluate::JudgeOptions judge;  ///< with the widths used to fit the planes
   double max_aligned_angle_deg = kMaxAlignedAngle_deg;
   std::vector<std::string> notes;  ///< what could not be shown, and why; one sentence each
 
-  /// The camera of an image of `patch` in `frame`.
+  /// The camera of an image of `patch`, for coordinates in `frame`.
   [[nodiscard]] ProjectionMatrix image_from_local(std::size_t image) const {
     return ridgeline::image_from_local(patch->images[image].image_from_world, frame.origin_m);
   }
 };
 
-/// All that a report shows, as read from a folder of results and, by the paths that run.json
-/// records, from the data of the run.
+/// Everything that a report shows, read from a results folder and from the data of the run, whose
+/// paths are recorded in run.json.
 // NOLINTNEXTLINE(bugprone-exception-escape): what moving JSON could throw is an assertion
 struct ReportInput {
-  evaluate::Json run;       ///< run.json without folders; an empty object if there is none
-  evaluate::Table1 table1;  ///< empty without reference matches
-  std::vector<std::string> input_paths;  ///< inputs of the run, which must not be written over
+  evaluate::Json run;  ///< run.json, folders removed from paths; an empty object if there is none
+  evaluate::Table1 table1;               ///< empty without reference matches
+  std::vector<std::string> input_paths;  ///< inputs of the run, which must not be overwritten
   std::vector<ReportPatch> patches;
 };
 
-/// Reads what `run`, `demo` or `evaluate` left in the folder. Data that is no longer where it was,
-/// or not the same size, is left out with a note. Throws IoError for a folder without evaluations
-/// and for files of the folder that are not what they should be.
+/// Reads the results of `run`, `demo` or `evaluate` from a folder. Data of the run that has been
+/// moved or has changed in size is omitted with a note. Throws IoError if the folder has no
+/// evaluations or if one of its files is invalid.
 ReportInput read_report_input(const std::string& folder);
 
 }  // namespace ridgeline::apps

@@ -30,7 +30,7 @@ double rounded(double value, int decimals) {
   return std::round(value * scale) / scale;
 }
 
-/// Coordinates in tenths of a millimetre, which is finer than a screen or a table shows.
+/// Coordinates rounded to a tenth of a millimetre, finer than a screen or a table shows.
 Json coordinates(const Eigen::Vector3d& x) {
   Json json = Json::array();
   for (const double c : x) json.push_back(rounded(c, 4));
@@ -58,8 +58,8 @@ std::string segments_base64(const std::vector<EdgeSegment>& segments) {
   return base64(values);
 }
 
-/// One bit a segment, the lowest of a byte first: whether the segment is aligned with its epipolar
-/// line for the other image.
+/// One bit per segment, the lowest bit of a byte first: whether the segment is aligned with its
+/// epipolar line for the other image.
 std::string aligned_base64(const ReportPatch& patch, std::size_t view, std::size_t other) {
   const std::vector<EdgeSegment>& segments = patch.images->segments[view];
   const ProjectionMatrix own_camera = patch.image_from_local(view);
@@ -73,8 +73,8 @@ std::string aligned_base64(const ReportPatch& patch, std::size_t view, std::size
   return base64(bits);
 }
 
-/// Focal lengths and principal point in pixels of the file, and the coefficients of the distortion;
-/// null without one.
+/// Focal lengths and principal point in pixels of the file, and the distortion coefficients; null
+/// without distortion.
 Json lens_json(const io::PatchImage& view) {
   if (!view.interior || view.interior->distortion.is_zero()) return nullptr;
   const Eigen::Vector2d& focal_length_px = view.interior->focal_length_px;
@@ -105,7 +105,7 @@ Json view_json(const ReportPatch& patch, std::size_t i) {
           {"jpeg", base64(std::as_bytes(std::span(jpeg)))}};
 }
 
-/// A pair with its matches. `score`: of this pair; null if it has no reference.
+/// A pair with its matches. `score`: of this pair; null without reference matches.
 Json pair_json(const ReportPair& pair, const evaluate::MatchingScore* score) {
   Json matches = Json::array();
   for (std::size_t i = 0; i < pair.matches.size(); ++i) {
@@ -158,7 +158,7 @@ Json images_json(const ReportPatch& patch) {
           {"n_unmatched", images.n_unmatched}};
 }
 
-/// The points, with positions in 65535 steps of their box; null if there are none.
+/// The points, with positions in steps of 1/65535 of their bounding box; null if there are none.
 Json points_json(const std::vector<Eigen::Vector3d>& x_in_local) {
   if (x_in_local.empty()) return nullptr;
   Eigen::Vector3d low = x_in_local.front();
@@ -219,8 +219,8 @@ Json observations_json(const ReportPatch& patch, const io::Line& line) {
   return json;
 }
 
-/// What each image shows of a line: [state], with a segment [state, offset, sigma]; null for an
-/// image that the line does not lie in.
+/// How a line appears in each image: [state] or, with a known offset, [state, offset, sigma]; null
+/// for an image that does not contain the line.
 Json line_in_views_json(const std::vector<LineInView>& views) {
   Json json = Json::array();
   for (const LineInView& view : views) {
@@ -236,8 +236,8 @@ Json line_in_views_json(const std::vector<LineInView>& views) {
   return json;
 }
 
-/// Adds what the line file knows beside the judgement. A line that was moved before has a second
-/// place, where images show it.
+/// Adds the data of the line file to the judgement. A line that was moved before it was judged also
+/// gets its position in the images.
 void add_geometry(const ReportPatch& patch, const ReportMethod& method, std::size_t i, Json& json) {
   const io::Line& line = *method.lines[i];
   if (const auto judged = method.judged_segment(i)) {
@@ -254,7 +254,7 @@ void add_geometry(const ReportPatch& patch, const ReportMethod& method, std::siz
   if (line.n_images) json["n_images"] = *line.n_images;
 }
 
-/// A line as the page gets it. `json`: the line as evaluation.METHOD.json holds it.
+/// A line in the form that the page reads. `json`: the line as in evaluation.METHOD.json.
 Json line_json(const ReportPatch& patch, const ReportMethod& method, std::size_t i, Json json) {
   for (Json& plane : json.at("planes")) {
     plane.erase("normal");
@@ -289,7 +289,7 @@ Json method_json(const ReportPatch& patch, const ReportMethod& method, const Sho
   return json;
 }
 
-/// The index of the method that the run is for.
+/// The index of the method whose lines are the product of the run.
 std::size_t product_of(const ReportPatch& patch) {
   return evaluate::product_index(patch.methods, [](const ReportMethod& method) {
     return std::string_view(method.evaluation.method);
@@ -316,8 +316,8 @@ Json patch_json(const ReportPatch& patch, const ShownScene& scene, bool is_of_fi
           {"product", is_of_files ? 0 : product_of(patch)}};
 }
 
-/// The part of run.json that the page shows. It has no folders, which are the sender's own
-/// business, and no times, so that equal runs give equal reports.
+/// The part of run.json that the page shows, without folders, which concern only the sender, and
+/// without times, so that identical runs give identical reports.
 Json run_json(const Json& run) {
   Json json = Json::object();
   for (const char* key : {"command", "versions", "options", "inputs", "messages", "page"}) {
@@ -330,8 +330,8 @@ Json run_json(const Json& run) {
     }
     json["areas"].push_back(std::move(shown));
   }
-  // the page leaves out the warnings of `run`: a resumed run does not repeat them, and reading the
-  // cloud gives its own again
+  // warnings of `run` are omitted: a resumed run does not repeat them, and reading the cloud again
+  // issues its own
   if (results::is_of_line_files(json)) json["warnings"] = run.value("warnings", Json::array());
   if (json.contains("inputs")) {
     for (Json& input : json["inputs"]) {

@@ -10,15 +10,16 @@
 
 namespace ridgeline::apps {
 
-/// What a patch shows in 3D beside its points: per method the planes of the lines.
+/// The contents of a patch's 3D view in addition to its points: for each method, the planes of its
+/// lines.
 struct ShownScene {
   std::vector<ShownPlanes> methods;
 };
 
 ShownScene shown_scene(const ReportPatch& patch);
 
-/// The data of the page, as apps/report/web/src/data/schema.ts declares it. Figures are computed
-/// from the judged lines, as those of the result files are; coordinates are local, binary arrays
+/// The data of the page, as declared in apps/report/web/src/data/schema.ts. Figures are computed
+/// from the judged lines, like those in the result files. Coordinates are local; binary arrays are
 /// base64 of little-endian values. `scenes`: one per patch.
 evaluate::Json report_json(const ReportInput& input,
                            const std::vector<ShownScene>& scenes,

@@ -14,38 +14,39 @@
 
 namespace ridgeline::apps {
 
-/// The files that a run has read, as its run.json records them.
+/// The files that a run has read, as recorded in its run.json.
 class RunInputs {
  public:
-  /// `run`: the record, or an empty object. Throws IoError naming `file` if it is no run's record.
+  /// `run`: the record, or an empty object. Throws IoError naming `file` if it is not the record of
+  /// a run.
   RunInputs(const evaluate::Json& run, const std::string& file);
 
-  /// Whether the run judged given line files (`evaluate`), instead of making them.
+  /// Whether the run judged existing line files (`evaluate`) instead of reconstructing lines.
   [[nodiscard]] bool is_of_files() const { return is_of_files_; }
   [[nodiscard]] std::vector<std::string> paths(const std::string& role) const;
   [[nodiscard]] std::vector<std::string> all_paths() const;
-  /// Files, folders and patterns as they stood on the command line.
+  /// Files, folders and patterns as given on the command line.
   [[nodiscard]] std::vector<std::string> given_paths() const;
 
-  /// Returns `path` if the run did not read it or its size has not changed since. Throws IoError if
-  /// it is gone or has changed, because the data that are shown must be those that the figures were
-  /// made from. Of a folder the recorded files are checked.
+  /// Returns `path` if the run did not read it or if its size has not changed since. Throws IoError
+  /// if it no longer exists or has changed, because the data shown must be those from which the
+  /// figures were computed. For a folder, the recorded files are checked.
   [[nodiscard]] std::string unchanged(const std::string& path) const;
 
   /// The line file (or folder) given to `evaluate` that the method is named after; empty if there
   /// is none.
   [[nodiscard]] std::string lines_of(const std::string& method) const;
-  /// The run's patch of this id. Throws IoError if it is not found and a patch file is gone or has
-  /// changed.
+  /// The patch of the run with this id. Throws IoError if it is not found and a patch file has
+  /// changed or cannot be read.
   [[nodiscard]] std::optional<io::Patch> patch(const std::string& id) const;
   [[nodiscard]] std::optional<std::string> reference_lines(
       const std::optional<io::Patch>& patch) const;
 
-  /// The options that the run had, as far as its record holds them.
-  /// Of the judged lines, or of true lines, whose ids and buildings are those of their own file.
+  /// The options of the run, as far as they are recorded. For true lines (`of_truth`), the columns
+  /// of ids and buildings are not set.
   [[nodiscard]] io::ReadLinesOptions lines_options(bool of_truth = false) const;
   [[nodiscard]] io::ReadOptions cloud_options() const;
-  /// The options of the judge: the widths that planes are fitted with, and defaults for the rest.
+  /// The options of the judge: the recorded widths for fitting planes, and defaults for the rest.
   [[nodiscard]] evaluate::JudgeOptions judge_options() const;
   [[nodiscard]] double max_aligned_angle_deg() const;
   [[nodiscard]] double max_image_mpx() const { return options_.value("max_image_mpx", 0.0); }
@@ -60,7 +61,7 @@ class RunInputs {
   std::vector<Input> inputs_;
   evaluate::Json options_;
   bool is_of_files_ = false;
-  /// Unit of the cloud of `evaluate`: its lines without CRS are in this unit.
+  /// Unit of the cloud given to `evaluate`; lines without a CRS are in this unit.
   Eigen::Vector3d cloud_unit_m_ = Eigen::Vector3d::Ones();
   Eigen::Vector2d plan_scale_ = Eigen::Vector2d::Ones();
 };

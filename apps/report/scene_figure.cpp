@@ -28,8 +28,8 @@ Eigen::Vector3d in_view(const Eigen::Vector3d& x) {
           std::cos(kElevation_rad) * away - std::sin(kElevation_rad) * x.z()};
 }
 
-/// The range of a coordinate that is shown: of all points, but of the middle 98 % of lines, because
-/// some lie far off.
+/// The range of a coordinate without the share `share_cut` at either end: 0 for points, 0.01 for
+/// lines, because some lines lie far off.
 std::array<double, 2> range_of(std::vector<double> values, double share_cut) {
   std::sort(values.begin(), values.end());
   const auto at = [&](double share) {
@@ -118,7 +118,7 @@ void draw_points(const ShownCloud& points, const ShownPlanes& planes, SceneCanva
 }
 
 void draw_line(const Segment3& segment, const cv::Scalar& colour, int width, SceneCanvas& scene) {
-  constexpr double kMaxCoordinate_px = 1e5;  // fixed point coordinates must not overflow
+  constexpr double kMaxCoordinate_px = 1e5;  // fixed-point coordinates must not overflow
   const Eigen::Vector2d a = scene.at(segment.start);
   const Eigen::Vector2d b = scene.at(segment.end);
   if (a.cwiseAbs().maxCoeff() > kMaxCoordinate_px || b.cwiseAbs().maxCoeff() > kMaxCoordinate_px)

@@ -26,8 +26,8 @@ struct Density {
   double points_per_m2 = 0.0, no_data_share = 0.0;
 };
 
-/// The density, and the share of cells without points. If only a share of the points is there, the
-/// cells are larger, so that as many of them have a point.
+/// The density, and the share of cells without points. If `points` are only a `share` of the cloud,
+/// the cells are larger, so that as many of them contain a point.
 Density density_of(const std::vector<io::CloudPoint>& points, double share) {
   constexpr double kMaxCells = 1e7;
   const auto [low, high] = box_of(points);

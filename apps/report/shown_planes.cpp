@@ -30,12 +30,12 @@ std::vector<ShownPlane> planes_of(const std::vector<evaluate::LineEvaluation>& l
   std::stable_sort(planes.begin(), planes.end(), [](const ShownPlane& a, const ShownPlane& b) {
     return a.n_inliers > b.n_inliers;
   });
-  constexpr std::size_t kMaxPlanes = std::numeric_limits<std::uint16_t>::max();  // 0 is no plane
+  constexpr std::size_t kMaxPlanes = std::numeric_limits<std::uint16_t>::max();  // 0 means no plane
   if (planes.size() > kMaxPlanes) planes.resize(kMaxPlanes);
   return planes;
 }
 
-/// The hull of the plane's points in plan, lifted onto the plane.
+/// The convex hull of the plane's points in plan, projected vertically onto the plane.
 std::vector<Eigen::Vector3d> outline_of(const Plane3& plane,
                                         const std::vector<Eigen::Vector3d>& points) {
   std::vector<cv::Point2f> in_plan;

@@ -11,7 +11,7 @@
 
 namespace ridgeline::apps {
 
-/// A plane that lines of a method were judged by.
+/// A plane against which lines of a method were judged.
 struct ShownPlane {
   std::uint64_t id = 0;                         ///< as in the evaluation
   Plane3 plane{Eigen::Vector3d::UnitZ(), 0.0};  ///< local; the fit with the most inliers
@@ -23,13 +23,13 @@ struct ShownPlane {
 /// The planes of a method's lines and the shown points that lie on them.
 struct ShownPlanes {
   std::vector<ShownPlane> planes;  ///< by descending number of inliers
-  /// Index in `planes` + 1 of each shown point, 0 for none.
+  /// For each shown point: its index in `planes` + 1, or 0 for none.
   std::vector<std::uint16_t> plane_of_point;
 };
 
-/// Points of the patch's cloud within the judge's width of fitting (by default 4 m) of a line in
-/// plan and its inlier distance (0.1 m) of one of the line's planes belong to that plane, to the
-/// nearest if there are several.
+/// A point of the patch's cloud belongs to a plane of a line if it is within the judge's fitting
+/// width of the line in plan (by default 4 m) and within its inlier distance of the plane (0.1 m);
+/// if there are several such planes, it belongs to the nearest.
 ShownPlanes shown_planes(const ReportPatch& patch, const ReportMethod& method);
 
 }  // namespace ridgeline::apps

@@ -54,7 +54,7 @@ std::string title_of(const ReportInput& input) {
 
 constexpr const char* kReportFile = "report.html";
 
-/// Prints the warnings of the page, except those that the run has printed.
+/// Prints the warnings of the page, except those that the run has already printed.
 void warn_as_the_page(const ReportInput& input, const std::optional<evaluate::GateReport>& gates) {
   const auto said = input.run.value("warnings", std::vector<std::string>());
   for (const ReportPatch& patch : input.patches) {
@@ -71,7 +71,8 @@ std::string write_report_of(const ReportInput& input,
                             const std::optional<evaluate::GateReport>& gates) {
   warn_as_the_page(input, gates);
   const results::OutputFolder out(folder, input.input_paths);
-  (void)out.path(kReportFile);  // refuses that of somebody else before the figures are drawn
+  (void)out.path(
+      kReportFile);  // rejects a report written by somebody else before the figures are drawn
   std::vector<ShownScene> scenes(input.patches.size());
   tbb::parallel_for(std::size_t{0}, scenes.size(),
                     [&](std::size_t i) { scenes[i] = shown_scene(input.patches[i]); });

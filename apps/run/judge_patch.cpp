@@ -30,7 +30,7 @@ std::vector<evaluate::ReferenceLine> read_references(const io::Patch& patch,
   return results::reference_lines_of(set, patch.frame);
 }
 
-/// The lines at the places where they were judged.
+/// The lines at the positions at which they were judged.
 std::vector<evaluate::JudgedLine> as_judged(std::vector<evaluate::JudgedLine> lines,
                                             const evaluate::Evaluation& evaluation) {
   if (!evaluation.shift || !evaluation.shift->applied) return lines;

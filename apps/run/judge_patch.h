@@ -10,32 +10,34 @@
 
 namespace ridgeline::apps {
 
-/// The files of the judgement, in the patch's folder.
+/// The output files of the judgement, relative to the patch's folder.
 std::vector<std::string> judged_files(const RunOptions& options);
 
-/// How the lines of a patch are judged that a run wrote into the `subfolder` of `out` ("" or ending
-/// in a slash), by all methods together.
+/// The options for judging the lines of a patch, for all methods together, that a run wrote to the
+/// `subfolder` of `out` ("" or ending in a slash).
 results::JudgeFilesOptions judge_options(const io::Patch& patch,
                                          const RunOptions& options,
                                          const results::OutputFolder& out,
                                          const std::string& subfolder);
 
-/// The lines of a patch by all methods: they are judged together, so that the cloud is read once.
+/// The lines of a patch by all methods. They are judged together, so that the cloud is read only
+/// once.
 class JudgedPatch {
  public:
-  /// Throws IoError for reference lines that cannot be read or have another CRS than the patch.
+  /// Throws IoError for reference lines that cannot be read or whose CRS differs from the patch's.
   JudgedPatch(const io::Patch& patch,
               const RunOptions& options,
               const results::OutputFolder& out,
               results::RunRecord& record);
 
-  /// What the judgement depends on beside the lines, whose keys these are.
+  /// The key of the judgement. `parts`: the keys of the lines.
   [[nodiscard]] std::string key(std::vector<std::string> parts) const;
 
-  /// Reads the lines, judges them and writes judged_files(). Lines of a patch without LIDAR get the
-  /// status `no_lidar`.
+  /// Reads and judges the lines and writes judged_files(). Without LIDAR, the lines of the patch
+  /// get the status `no_lidar`.
   void judge() const;
-  /// Adds the evaluations in the files to the result, and how far the lines are from true ones.
+  /// Reads the evaluations from the files and adds them, and the comparison with true lines, to
+  /// `result`.
   void read(PatchResult& result) const;
 
  private:

@@ -20,7 +20,7 @@
 namespace ridgeline::apps {
 namespace {
 
-/// The stages of a patch in their order, with the judgement as the last one.
+/// The stages of a patch in order, with the judgement as the last one.
 std::vector<Stage> stages_of(PatchStages& reconstruction,
                              const JudgedPatch& judgement,
                              const RunOptions& options) {
@@ -34,14 +34,14 @@ std::vector<Stage> stages_of(PatchStages& reconstruction,
   return stages;
 }
 
-/// How many stages there are up to the last one that `until` names.
+/// The number of stages up to and including the last one selected by `until`.
 std::size_t count_until(const std::vector<Stage>& stages, const std::string& until) {
   const auto last = std::find_if(stages.rbegin(), stages.rend(),
                                  [&](const Stage& stage) { return stage.name.starts_with(until); });
   return static_cast<std::size_t>(stages.rend() - last);
 }
 
-/// Runs the stage. The files that there are then are those that it has written.
+/// Runs the stage. Those of its files that exist afterwards are recorded as written.
 void work(const Stage& stage, const std::string& folder, MadeFrom& made) {
   std::vector<std::string> files = stage.files;
   stage.work(files);

@@ -30,12 +30,12 @@
 namespace ridgeline::apps {
 namespace {
 
-/// The list of matches that lines are reconstructed from.
+/// The list of matches from which lines are reconstructed.
 constexpr const char* kMatchList = "matches.csv";
 constexpr const char* kUnmatchedList = "unmatched.csv";
 constexpr const char* kChioList = "chio.csv";
 constexpr const char* kVerdictList = "verdicts.csv";
-/// What three images and more show of each edge.
+/// The observations of each edge, for three or more images.
 constexpr const char* kTrackList = "tracks.csv";
 
 /// left_id,right_id,verdict: correct, false and unjudged matches, then the missed ones.
@@ -106,7 +106,7 @@ std::vector<Stage> PatchStages::table() {
   return stages;
 }
 
-/// The key of the images, their cameras and their range of heights.
+/// The key of the images, their cameras and their height range.
 std::string PatchStages::views_key() const {
   std::vector<std::string> parts{fmt::format("{}", fmt::join(patch_.height_range_m, " "))};
   for (const io::PatchImage& image : patch_.images)
@@ -114,7 +114,7 @@ std::string PatchStages::views_key() const {
   return key_of(parts);
 }
 
-/// Of all images at once, as they are searched at a common size.
+/// One key for all images, because they are searched at a common size.
 std::string PatchStages::extraction_key() const {
   std::vector<std::string> parts{parameters_["extract"].dump()};
   for (const io::PatchImage& image : patch_.images) {
@@ -144,7 +144,7 @@ std::string PatchStages::line_file(reconstruct::Method method, std::string_view 
   return fmt::format("lines.{}{}", reconstruct::name(method), extension);
 }
 
-/// The formats of the line files beside GeoJSON.
+/// The formats of the line files in addition to GeoJSON.
 std::vector<io::LineFormatInfo> PatchStages::more_line_formats() const {
   std::vector<io::LineFormatInfo> formats;
   for (const io::LineFormatInfo& info : io::line_formats()) {
@@ -196,8 +196,8 @@ std::vector<ViewPair> PatchStages::pairs() const {
   return pairs_of(scene_, options_.parameters.method);
 }
 
-/// The folder of what is known of a pair; nothing for the base pair, whose files are in the folder
-/// of the patch.
+/// The folder for the files of a pair; empty for the base pair, whose files are in the folder of
+/// the patch.
 std::string PatchStages::pair_folder(const ViewPair& pair) const {
   if (pair.base == kPairOfPatch.base && pair.search == kPairOfPatch.search) return "";
   return fmt::format("pairs/{}-{}/", patch_.images[pair.base].id, patch_.images[pair.search].id);
@@ -218,8 +218,8 @@ void PatchStages::extract() {
   record_.add_warnings(unused_segments(patch_, scene_));
 }
 
-/// Writes points of the base pair's surface. If there is no surface, the file of an earlier run is
-/// removed.
+/// Writes points of the base pair's surface, or removes the file of an earlier run if there is no
+/// surface.
 void PatchStages::keep_surface() {
   read_views(segment_files());
   const std::optional<reconstruct::Surface>& kept = surfaces().front();
@@ -230,7 +230,7 @@ void PatchStages::keep_surface() {
 }
 
 void PatchStages::match(std::vector<std::string>& files) {
-  // those of an earlier run would look like lists of this run
+  // lists of an earlier run would look like those of this run
   for (const char* file : {kChioList, kVerdictList, kTrackList})
     out_.remove(patch_.id + "/" + file);
   read_views(edge_files());

@@ -19,13 +19,13 @@
 
 namespace ridgeline::apps {
 
-/// A stage of a run. It reads what it needs from the inputs and from the files of the stages before
-/// it, also where these ran in the same process, so that a resumed run gives the same bytes.
+/// A stage of a run. It reads its inputs from files, including those of earlier stages, even if
+/// these ran in the same process, so that a resumed run is byte-identical.
 struct Stage {
   std::string name;
   std::string key;                 ///< key_of() everything that its result depends on
-  std::vector<std::string> files;  ///< that it may write, in the patch's folder
-  /// Does it, and adds what it writes beside `files` to them.
+  std::vector<std::string> files;  ///< files that it may write, relative to the patch's folder
+  /// Runs the stage and adds any further files that it writes to `files`.
   std::function<void(std::vector<std::string>& files)> work;
 };
 
@@ -33,24 +33,25 @@ struct Stage {
 /// "reconstruct METHOD" per method, with their files.
 class PatchStages {
  public:
-  /// The files are in the subfolder of `out` that is named after the patch's id. `record` has the
-  /// inputs with their hashes, and gets the warnings.
+  /// The files are in the subfolder of `out` named after the patch's id. `record` contains the
+  /// inputs with their hashes and receives the warnings.
   PatchStages(const io::Patch& patch,
               const RunOptions& options,
               const results::OutputFolder& out,
               results::RunRecord& record);
 
-  /// The stages in their order. The object must outlive them.
+  /// The stages in order. This object must outlive them.
   [[nodiscard]] std::vector<Stage> table();
   static std::string line_file(reconstruct::Method method, std::string_view extension = ".geojson");
 
   [[nodiscard]] PatchCounts counts() const;
-  /// By image: how wide its edges are, by the scale that they were found at, and its noise.
+  /// For each image: the width of its edges, derived from the scale at which they were found, and
+  /// its noise.
   [[nodiscard]] nlohmann::ordered_json edge_facts();
   /// The row of Table 1; empty without reference matches. Writes the verdict on each match to
   /// verdicts.csv.
   [[nodiscard]] std::optional<evaluate::Table1Row> score_matches() const;
-  /// What the reference tracks say of the tracks; empty if the patch has none.
+  /// The comparison of the tracks with the reference tracks; empty if the patch has none.
   [[nodiscard]] std::optional<evaluate::PatchTracks> score_tracks() const;
 
  private:
@@ -65,7 +66,7 @@ class PatchStages {
 
   [[nodiscard]] std::vector<std::string> edge_files() const;
   [[nodiscard]] std::vector<std::string> segment_files() const;
-  /// The files of match() and score_matches() but those of further pairs.
+  /// The files of match() and score_matches(), except those of further pairs.
   [[nodiscard]] std::vector<std::string> match_files() const;
   [[nodiscard]] std::vector<std::string> line_files(reconstruct::Method method) const;
   [[nodiscard]] std::vector<io::LineFormatInfo> more_line_formats() const;
@@ -90,8 +91,7 @@ class PatchStages {
       surfaces_;  ///< by pair, computed when first needed
 };
 
-/// Removes the lines, tables, maps and figures that an earlier run made by other methods than
-/// these.
+/// Removes the lines, tables, maps and figures of other methods from an earlier run.
 /// @param subfolder  of the results: "" or ending in a slash
 void remove_other_methods(std::span<const reconstruct::Method> methods,
                           const results::OutputFolder& out,

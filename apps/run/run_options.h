@@ -11,7 +11,7 @@
 
 namespace ridgeline::apps {
 
-/// RunOptions as they stand on a command line.
+/// RunOptions as given on the command line.
 struct RunFlags {
   std::vector<std::string> methods;  ///< if empty, default_methods()
   std::string matcher = "pairwise";
@@ -21,9 +21,9 @@ struct RunFlags {
   RunOptions options;
 };
 
-/// The flags that a block of patches takes as a run of patches does.
+/// Adds the flags that `block` and `run` have in common.
 void add_block_flags(CLI::App& app, RunFlags& flags);
-/// These and what only a run takes.
+/// Adds these and the flags of `run` only.
 void add_run_flags(CLI::App& app, RunFlags& flags);
 
 /// Throws std::invalid_argument for values out of range.

@@ -86,7 +86,7 @@ void write_table1(const evaluate::Table1& table, const results::OutputFolder& ou
   }
 }
 
-/// The number of images of each patch that lines are reconstructed from.
+/// The number of images of each patch from which lines are reconstructed.
 nlohmann::ordered_json n_views_by_patch(const std::vector<io::Patch>& patches, bool all_views) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   for (const io::Patch& patch : patches)
@@ -94,7 +94,8 @@ nlohmann::ordered_json n_views_by_patch(const std::vector<io::Patch>& patches, b
   return json;
 }
 
-/// What was read of the images of each patch, [column, row, columns, rows], if it was not all.
+/// The windows read from the images of each patch, [column, row, columns, rows], unless whole
+/// images were read.
 nlohmann::ordered_json windows_by_patch(const std::vector<io::Patch>& patches) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   for (const io::Patch& patch : patches) {
@@ -107,7 +108,7 @@ nlohmann::ordered_json windows_by_patch(const std::vector<io::Patch>& patches) {
   return json;
 }
 
-/// Images of a patch that hold the same picture, which a copied path or file makes.
+/// Warnings about images of a patch with identical content, caused by a copied path or file.
 std::vector<std::string> same_pictures(const io::Patch& patch, const results::RunRecord& record) {
   std::vector<std::string> warnings;
   std::map<std::string, std::string> path_of_hash;
@@ -160,7 +161,7 @@ PatchesResult write_patches(const std::vector<std::string>& patch_files,
   record.end_stage("hash_inputs");
   const bool all_views = options.parameters.method.matching.tracks.all_views;
   std::vector<std::string> early = early_warnings(patches, all_views, record);
-  warn_of(early);  // now, because they may say why the work fails
+  warn_of(early);  // printed first, because they may explain a later failure
   for (const io::Patch& patch : patches)
     early.insert(early.end(), patch.decisions.begin(), patch.decisions.end());
   record.add_warnings(early);
@@ -184,7 +185,7 @@ PatchesResult write_patches(const std::vector<std::string>& patch_files,
     if (std::ranges::find(early, warning) == early.end()) spdlog::warn("{}", warning);
   }
 
-  // Table 1 is always written: an old table beside new ones would mislead.
+  // Table 1 is always written: an old table next to new ones would be misleading.
   write_table1(found.table1, out);
   if (options.until == kLastStage) {
     results::write_tables(found.evaluations, truth, out, adjusts_to_faces(options));

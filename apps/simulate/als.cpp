@@ -57,7 +57,7 @@ Reflectance reflectance(Material material) {
   return {0, 0.0};
 }
 
-constexpr double kFoliagePassShare = 0.6;  ///< share of the pulses that go on behind a leaf
+constexpr double kFoliagePassShare = 0.6;  ///< share of the pulses that pass through a leaf
 
 const AlsOptions& checked(const AlsOptions& o) {
   const auto in = [](const char* name, double value, double low, double high) {
@@ -162,9 +162,9 @@ class AlsScanner::Impl {
   std::vector<Return> trace(const Eigen::Vector3d& origin,
                             const Eigen::Vector3d& direction,
                             Random& random) const {
-    constexpr double kDeadTimeM = 0.3;  // the receiver's dead time: nearer surfaces give one return
+    constexpr double kDeadTimeM = 0.3;  // the receiver's dead time: closer surfaces give one return
     std::vector<Return> returns;
-    // the ray starts just above the scene, where float still resolves a hundredth of a millimetre
+    // the ray starts just above the scene, where float resolves a hundredth of a millimetre
     const double skipped_m = std::max(0.0, (origin.z() - top_z_m_ - 1.0) / -direction.z());
     const Eigen::Vector3d start = origin + skipped_m * direction;
     double from_m = 0.0;

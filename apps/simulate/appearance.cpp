@@ -11,10 +11,10 @@
 namespace ridgeline::simulate {
 namespace {
 
-constexpr float kLevelCosine = 0.9999F;  // roofs that are level within 0.8 degrees count as flat
+constexpr float kLevelCosine = 0.9999F;  // roofs level to within 0.8 degrees are treated as flat
 
-/// Brightness of a tiled roof: courses run across the slope and columns along it, each tile differs
-/// a little, and old roofs have stains and moss.
+/// Brightness of a tiled roof: courses run across the slope and columns along it, tiles differ
+/// slightly, and old roofs have stains and moss.
 float tile_factor(const Eigen::Vector2f& uv_m, float footprint_m, std::uint32_t key) {
   constexpr float kTwoPi = 6.2831853F;
   const float course_m = 0.30F + 0.08F * unit(hash(key, 1U));
@@ -23,7 +23,7 @@ float tile_factor(const Eigen::Vector2f& uv_m, float footprint_m, std::uint32_t 
   const float course = uv_m.y() / course_m;
   const float column = uv_m.x() / column_m;
   const auto seen = [&](float period_m) { return footprint_m < 0.5F * period_m ? 1.0F : 0.0F; };
-  // the lower border of a course throws a narrow shadow: fundamental and second harmonic
+  // the lower edge of a course casts a narrow shadow: fundamental and second harmonic
   float factor = 1.0F + depth * seen(course_m) * std::cos(kTwoPi * course) +
                  0.5F * depth * seen(0.5F * course_m) * std::cos(2.0F * kTwoPi * course);
   factor += 0.6F * depth * seen(column_m) * std::cos(kTwoPi * column);
@@ -40,7 +40,7 @@ Spectrum lawn_reflectance(const Eigen::Vector2f& x_m, float footprint_m, std::ui
   const float blades = fractal_noise(x_m, 0.5F, shortest_m, 0.8F, hash(key));
   const Spectrum green = base_reflectance(Material::kGround, false, key);
   const Spectrum straw(0.22F, 0.20F, 0.11F, 0.36F);
-  const float usual = 0.1F + 0.4F * unit(hash(key, 5U));  // each garden is kept in its own way
+  const float usual = 0.1F + 0.4F * unit(hash(key, 5U));  // each garden is maintained differently
   const float share = std::clamp(usual + 0.9F * dry, 0.0F, 1.0F);
   return (green + share * (straw - green)) * (1.0F + 0.35F * blades);
 }
@@ -80,8 +80,8 @@ Appearance::TriangleSurface Appearance::surface_of(const Triangle& triangle,
   return surface;
 }
 
-/// Bends the normals of leaves towards that of their crown. With a normal of its own each leaf
-/// would glitter.
+/// Bends the normals of leaves towards the normal of their crown. With individual normals, the
+/// leaves would glitter.
 void Appearance::bend_leaves() {
   const Mesh& mesh = scene_->mesh;
   struct Crown {

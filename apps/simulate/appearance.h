@@ -13,7 +13,7 @@ namespace ridgeline::simulate {
 /// Reflectance (0..1) or radiance in red, green, blue and near infrared.
 using Spectrum = Eigen::Array4f;
 
-/// The appearance of the surfaces of a scene. It depends on the surface point and a seed alone, so
+/// The appearance of the surfaces of a scene. It depends only on the surface point and a seed, so
 /// that all views agree, and has no detail below the given footprint.
 class Appearance {
  public:
@@ -25,11 +25,11 @@ class Appearance {
                                      const Eigen::Vector3d& x_in_local,
                                      float footprint_m) const;
 
-  /// Colour of the ground where it goes on beyond the mesh.
+  /// Colour of the ground beyond the mesh.
   [[nodiscard]] Spectrum lawn(const Eigen::Vector3d& x_in_local, float footprint_m) const;
 
-  /// Unit normal for shading, outwards: that of the triangle. The normal of a leaf is bent towards
-  /// that of its crown.
+  /// Outward unit normal for shading: the triangle's normal, which for a leaf is bent towards the
+  /// normal of its crown.
   [[nodiscard]] const Eigen::Vector3f& normal(int triangle) const {
     return surfaces_[static_cast<std::size_t>(triangle)].normal;
   }
@@ -37,7 +37,7 @@ class Appearance {
  private:
   struct TriangleSurface {
     Eigen::Vector3f normal;
-    Eigen::Vector3f u_axis;      ///< level direction
+    Eigen::Vector3f u_axis;      ///< horizontal direction
     Eigen::Vector3f v_axis;      ///< direction up the slope
     std::uint32_t key = 0;       ///< key of the colour: one per building, car or tree
     std::uint32_t face_key = 0;  ///< key of the texture: one per plane or triangle

@@ -33,8 +33,8 @@ void check_options(const CLI::App& app, bool is_block) {
   }
 }
 
-/// The angle of view and the pixel of the DMC, whatever the frame. Nearer than some ten heights of
-/// houses, a frame would show far less of their roofs than of the ground.
+/// Uses the angle of view and ground pixel of the DMC, whatever the frame size. From less than
+/// about ten house heights, a frame would show far less of the roofs than of the ground.
 void set_camera(const CLI::App& app, simulate::FlightOptions& flight) {
   constexpr double kFocalPerColumn = 10000.0 / 7680.0;
   constexpr double kPixel_m = 0.08;
@@ -57,7 +57,7 @@ void set_block(const CLI::App& app, SimulateArguments& a) {
   a.block.num_frames = a.strips_and_frames[1];
   if (!a.views.flight.frame_px) a.views.flight.frame_px = Eigen::Vector2i(2048, 1536);
   if (a.views.orientation.empty()) a.views.orientation = "opk";
-  // a block has many times the pixels of a pair; four rays a pixel take half the time of nine
+  // a block has many times the pixels of a pair; four rays per pixel take half the time of nine
   if (app.count("--samples-per-side") == 0) a.views.render.samples_per_side = 2;
   set_camera(app, a.views.flight);
   a.village.extent_m =

@@ -15,11 +15,11 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// The block on level ground.
+/// Geometry of the block on level ground.
 struct StripPlan {
-  Eigen::Vector2d frame_m;  ///< what a frame shows: along its strip, across
-  double base_m;            ///< between the frames of a strip
-  double spacing_m;         ///< between the strips
+  Eigen::Vector2d frame_m;  ///< area shown by a frame: along the strip, across it
+  double base_m;            ///< distance between the frames of a strip
+  double spacing_m;         ///< distance between the strips
 };
 
 StripPlan plan_of(const BlockOptions& block, const FlightOptions& flight) {
@@ -36,13 +36,13 @@ StripPlan plan_of(const BlockOptions& block, const FlightOptions& flight) {
           (1.0 - block.side_overlap) * frame_m.y()};
 }
 
-/// What two frames of each strip show.
+/// The extent shown by two frames of each strip.
 Eigen::Vector2d shown_twice_m(const BlockOptions& block, const StripPlan& plan) {
   return {plan.frame_m.x() + (block.num_frames - 3) * plan.base_m,
           plan.frame_m.y() + (block.num_strips - 1) * plan.spacing_m};
 }
 
-/// How much less a frame may show of the objects at its border than of level ground.
+/// The margin by which a frame may show less of the objects at its border than of level ground.
 Eigen::Vector2d margin_m(const StripPlan& plan,
                          const FlightOptions& flight,
                          double terrain_slope_deg) {
@@ -58,24 +58,25 @@ Eigen::Vector2d margin_m(const StripPlan& plan,
   return half_m.cwiseProduct(relief_m) / height_m + Eigen::Vector2d::Constant(kSigmas * sigma_m);
 }
 
-/// Frames of a strip along y, so that two show each place that the strips along x show.
+/// Number of frames in a strip along y, so that two of them show each place that the strips along x
+/// show.
 int num_cross_frames(const BlockOptions& block, const StripPlan& plan) {
   const double steps = (shown_twice_m(block, plan).y() - plan.frame_m.x()) / plan.base_m;
   constexpr double kRounding = 1e-9;
   return std::max(2, static_cast<int>(std::ceil(steps - kRounding)) + 3);
 }
 
-/// Strips of one direction.
+/// Strips in one direction.
 struct Strips {
   int num_strips;
   int num_frames;
-  double azimuth_rad;  ///< of the flight to the x axis
-  double shift_m;      ///< of all frames to the right of the flight
+  double azimuth_rad;  ///< angle of the flight to the x axis
+  double shift_m;      ///< shift of all frames to the right of the flight
 };
 
 double from_middle(int i, int count) { return i - 0.5 * (count - 1); }
 
-/// Adds the frames of strips whose numbers follow those of `num_before` other strips.
+/// Adds the frames of strips, whose numbering continues after `num_before` other strips.
 void add_strips(const Strips& strips,
                 const StripPlan& plan,
                 int num_before,
@@ -134,7 +135,7 @@ Eigen::Vector2d block_extent_m(const BlockOptions& block,
 std::vector<PlannedView> block_views(const BlockOptions& block,
                                      const FlightOptions& flight,
                                      const SyntheticScene& scene) {
-  // so that no frame of a strip along y stands where one of a strip along x does
+  // so that no frame of a strip along y coincides with one of a strip along x
   constexpr double kCrossShiftBases = 0.25;
   const StripPlan plan = plan_of(block, flight);
   std::vector<PlannedView> views;

@@ -15,16 +15,16 @@
 
 namespace ridgeline::simulate {
 
-/// The strips of one direction, and the frames of one of them, are no more than this.
+/// Maximum number of strips in one direction, and of frames in a strip.
 inline constexpr int kMaxStripsOrFrames = 99;
 
 /// The strips of a photogrammetric block. Camera, flying height and errors are those of
 /// FlightOptions with whole frames.
 struct BlockOptions {
   int num_strips = 2;            ///< along x, 1 to kMaxStripsOrFrames
-  int num_frames = 3;            ///< of each of these, 2 to kMaxStripsOrFrames
+  int num_frames = 3;            ///< per strip along x, 2 to kMaxStripsOrFrames
   int num_cross_strips = 0;      ///< along y
-  double forward_overlap = 0.6;  ///< of neighbours in a strip
+  double forward_overlap = 0.6;  ///< of neighbouring frames in a strip
   double side_overlap = 0.3;     ///< of neighbouring strips
 
   static constexpr auto fields() {
@@ -38,23 +38,23 @@ struct BlockOptions {
   }
 };
 
-/// The extent of the plan that two frames of each strip show, in whole metres, whatever stands
-/// there and with the errors of the flight. The plan lies in the middle of the block. Throws
+/// The extent of the plan that two frames of each strip show, in whole metres, allowing for the
+/// objects on it and the errors of the flight. The plan lies in the middle of the block. Throws
 /// std::invalid_argument for an option outside its range, a flight without whole frames and an
-/// extent that no village can have.
+/// extent that a village cannot have.
 Eigen::Vector2d block_extent_m(const BlockOptions& block,
                                const FlightOptions& flight,
                                double terrain_slope_deg);
 
-/// The frames as they are flown: the strips along x from south to north, every second one back,
-/// then those along y from east to west. They follow the ground. Ids are STRIP_FRAME with two
-/// digits or more, both from 1.
+/// The frames in the order of the flight: the strips along x from south to north, in alternating
+/// directions, then those along y from east to west. The flying height follows the ground. Ids are
+/// STRIP_FRAME, both numbered from 1 with at least two digits.
 std::vector<PlannedView> block_views(const BlockOptions& block,
                                      const FlightOptions& flight,
                                      const SyntheticScene& scene);
 
-/// Throws std::invalid_argument unless each place of an area of the plan (local) is shown by two
-/// views or more, at the lowest and the highest heights that the scene has above the mean terrain.
+/// Throws std::invalid_argument unless every place in an area of the plan (local) is shown by at
+/// least two views, at the lowest and at the highest height of the scene above the mean terrain.
 void check_shown_twice(const SyntheticScene& scene,
                        std::span<const AerialView> views,
                        const Eigen::AlignedBox2d& area_m);

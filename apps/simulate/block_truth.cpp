@@ -15,8 +15,8 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// Whether the image of a line may lie in a view. It spares most views of a block a look along the
-/// line.
+/// Whether the image of a line may lie in a view. Avoids the visibility test for most views of a
+/// block.
 bool may_show(const AerialView& view, const Segment3& line) {
   const Eigen::AlignedBox2d frame_px(Eigen::Vector2d::Constant(-0.5),
                                      view.size_px.cast<double>() - Eigen::Vector2d::Constant(0.5));
@@ -27,7 +27,8 @@ bool may_show(const AerialView& view, const Segment3& line) {
   return frame_px.intersects(line_px);
 }
 
-/// Adds to a true line what the views show of it. `shares`: of its length, one per view.
+/// Adds to a true line what the views show of it. `shares`: the visible share of its length in each
+/// view.
 void set_seen(std::span<const AerialView> views, std::vector<double> shares, io::Line& line) {
   constexpr double kHalf = 0.5;
   std::vector<ProjectionMatrix> cameras;

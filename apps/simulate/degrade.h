@@ -9,18 +9,18 @@
 
 namespace ridgeline::simulate {
 
-/// The errors of a simulated tool. Each line draws from its own random stream, so that a line keeps
-/// its errors when others are taken away.
+/// The errors of a simulated tool. Each line draws from its own random stream, so that it keeps its
+/// errors when others are removed.
 struct DegradeOptions {
   std::uint64_t seed = 1;
-  double plan_sigma_m = 0.05;    ///< independent errors of each endpoint, per plan axis
-  double height_sigma_m = 0.05;  ///< error of the height of the whole line
+  double plan_sigma_m = 0.05;    ///< independent error of each endpoint, per plan axis
+  double height_sigma_m = 0.05;  ///< height error of the whole line
   double tilt_sigma_m = 0.03;    ///< lowers the start and raises the end
   Eigen::Vector3d bias_m = Eigen::Vector3d::Zero();  ///< shift of all lines
-  double missing_share = 0.0;                        ///< share of lines that the tool did not find
+  double missing_share = 0.0;                        ///< share of lines that the tool misses
   double gross_share = 0.0;  ///< share of lines off by 2 to 8 m in height, as after a false match
-  /// Claimed over simulated standard deviations: 1 is honest, below 1 optimistic. Bias and gross
-  /// errors are never part of the claim.
+  /// Ratio of claimed to simulated standard deviations: 1 is honest, below 1 optimistic. Bias and
+  /// gross errors are never included in the claim.
   double claimed_sigma_ratio = 1.0;
 };
 
@@ -31,8 +31,8 @@ enum class Grade : std::uint8_t {
 };
 DegradeOptions options_of(Grade grade, std::uint64_t seed);
 
-/// The lines with errors and with the matching covariance of (start, end); ids, kinds and other
-/// attributes are kept, so that results can be compared with the truth line by line.
+/// Returns the lines with errors and the corresponding covariance of (start, end); ids, kinds and
+/// other attributes are kept, so that results can be compared with the truth line by line.
 /// Throws std::invalid_argument for a negative sigma or a share outside [0, 1].
 io::LineSet degrade_lines(const io::LineSet& lines, const DegradeOptions& options);
 

@@ -7,7 +7,8 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// Value of a band in [0, 1], bilinear; outside of the window that of the nearest pixel.
+/// Value of a band in [0, 1], interpolated bilinearly; outside the window, the value of the nearest
+/// pixel.
 double sample(const ImageWindow& window, const Eigen::Vector2d& x_px, int band) {
   const cv::Mat& image = window.pixels;
   const auto at = [&](int column, int row) -> double {

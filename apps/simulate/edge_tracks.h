@@ -10,8 +10,8 @@
 
 namespace ridgeline::simulate {
 
-/// The true tracks: the edges that two views or more show clearly, with their clear runs and
-/// without duplicates. Their contrast must have been measured.
+/// The true tracks: the edges that are clearly visible in at least two views, with their clear runs
+/// and without duplicates. Their contrast must have been measured.
 std::vector<ShownEdge> edge_tracks(std::span<const ShownEdge> edges);
 
 /// The text of tracks.csv: edge,kind,image,x1_px,y1_px,x2_px,y2_px,visible, one row for each

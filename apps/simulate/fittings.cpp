@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t kFittingsStream = 0x66697474696e67;
 
-/// A rectangle on an inclined plane: `u` level, `v` up the slope, both unit vectors.
+/// A rectangle on an inclined plane: `u` horizontal, `v` up the slope, both unit vectors.
 struct Panel {
   Eigen::Vector3d centre, u, v;
   double half_u_m, half_v_m;
@@ -29,7 +29,7 @@ struct Panel {
   }
 };
 
-/// Adds a panel that stands `height_m` off its plane, with its narrow sides.
+/// Adds a panel raised by `height_m` above its plane, including its narrow sides.
 void add_panel(const Panel& panel, double height_m, const SurfaceAppearance& look, Mesh& mesh) {
   const Eigen::Vector3d up = height_m * panel.normal();
   const std::array<Eigen::Vector3d, 4> foot{panel.at(-1, -1), panel.at(1, -1), panel.at(1, 1),
@@ -48,7 +48,7 @@ Panel shrunk(Panel panel, double by_m) {
   return panel;
 }
 
-/// Adds a pane in its frame.
+/// Adds a pane with its frame.
 void add_window(const Panel& panel, const SurfaceAppearance& frame, Mesh& mesh) {
   constexpr double kFrameM = 0.09;
   constexpr double kFrameHeightM = 0.05;
@@ -59,15 +59,15 @@ void add_window(const Panel& panel, const SurfaceAppearance& frame, Mesh& mesh) 
   add_panel(shrunk(panel, kFrameM), kPaneHeightM, pane, mesh);
 }
 
-/// One wall of a building: all convex pieces that lie in one vertical plane.
+/// One wall of a building: all convex pieces in one vertical plane.
 struct Wall {
-  Eigen::Vector3d u;                  ///< level, to the right seen from outside
+  Eigen::Vector3d u;                  ///< horizontal, to the right seen from outside
   Eigen::Vector3d outside;            ///< unit normal
   double distance_m = 0.0;            ///< distance of the plane from the origin along `outside`
   std::vector<ConvexPolygon> pieces;  ///< (along u, z)
 };
 
-/// The walls of all buildings by building, direction and distance.
+/// The walls of all buildings, keyed by building, direction and distance.
 std::map<std::tuple<int, int, int, int>, Wall> walls_of(const SyntheticScene& scene) {
   constexpr double kDirectionStep = 1e-3;
   constexpr double kDistanceStepM = 1e-2;
@@ -79,7 +79,7 @@ std::map<std::tuple<int, int, int, int>, Wall> walls_of(const SyntheticScene& sc
     const Triangle& triangle = scene.mesh.triangles[i];
     if (triangle.material != Material::kWall || triangle.building_id == kNone) continue;
     const Eigen::Vector3d n = triangle_normal(scene.mesh, static_cast<int>(i));
-    if (!(std::abs(n.z()) < kDirectionStep)) continue;  // underside of a roof, or no area
+    if (!(std::abs(n.z()) < kDirectionStep)) continue;  // underside of a roof, or without area
     const auto corner = [&](std::size_t k) -> const Eigen::Vector3d& {
       return scene.mesh.vertices[static_cast<std::size_t>(triangle.vertices[k])];
     };
@@ -101,7 +101,7 @@ bool on_wall(const Wall& wall, const Eigen::Vector2d& x) {
                      [&](const ConvexPolygon& piece) { return contains(piece, x); });
 }
 
-/// Adds rows and columns of equal windows, as many as the wall holds.
+/// Adds rows and columns of identical windows, as many as fit on the wall.
 void add_windows(const Wall& wall, int building_id, Random& random, Mesh& mesh) {
   constexpr double kStoreyM = 2.8;
   constexpr double kSillM = 1.9;  // above the lowest corner, which is 1 m below the floor
@@ -133,8 +133,8 @@ void add_windows(const Wall& wall, int building_id, Random& random, Mesh& mesh) 
   }
 }
 
-/// Whether a panel and some free space around it lie on one surface of the scene and nothing covers
-/// them.
+/// Whether a panel and some free space around it lie on one surface of the scene and are not
+/// covered.
 bool is_free(const RayScene& rays, const SyntheticScene& scene, const Panel& panel, int plane_id) {
   constexpr double kFreeM = 0.35;
   constexpr double kAboveM = 30.0;
@@ -153,7 +153,7 @@ bool is_free(const RayScene& rays, const SyntheticScene& scene, const Panel& pan
   return true;
 }
 
-/// A panel at a random place of a plane, with sides that are level and along the slope.
+/// A panel at a random position on a plane, with horizontal sides and sides along the slope.
 Panel random_panel(const ScenePlane& plane, double half_u_m, double half_v_m, Random& random) {
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector3d& x : plane.outline) box.extend(x.head<2>());
@@ -216,7 +216,7 @@ bool add_solar_array(const ScenePlane& plane,
 }
 
 /// Adds a paved rectangle on the lawn if its place is free. Its sides are parallel to the nearest
-/// house or at random.
+/// house or randomly oriented.
 void add_paving(const ScenePlane& plane,
                 const RayScene& rays,
                 Random& random,
@@ -256,7 +256,7 @@ void add_fittings(SyntheticScene& scene, std::uint64_t seed) {
     add_windows(wall, std::get<0>(key), random, scene.mesh);
   }
   for (const ScenePlane& plane : scene.planes) {
-    if (plane.outline.empty()) continue;  // other roof faces bury this one
+    if (plane.outline.empty()) continue;  // completely covered by other roof faces
     if (plane.kind == PlaneKind::kRoof && plane.plane.normal().z() < kMaxCosine) {
       const bool solar = random.chance(kSolarChance) && add_solar_array(plane, rays, random, scene);
       if (!solar) add_skylights(plane, rays, random, scene);

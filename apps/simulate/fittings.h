@@ -7,10 +7,10 @@
 
 namespace ridgeline::simulate {
 
-/// Adds to the mesh what an image shows of a village but its laser points and true lines do not
-/// know: windows on the walls, skylights and solar panels on the roofs, terraces and paths on the
-/// lawns. All of it lies within 0.12 m of the surface that bears it. The draws follow from the seed
-/// and are independent of all other draws.
+/// Adds to the mesh details that are visible in images of a village but absent from its laser
+/// points and true lines: windows on the walls, skylights and solar panels on the roofs, terraces
+/// and paths on the lawns. All lie within 0.12 m of the surface they are on. Their random numbers
+/// follow from the seed and are independent of all others.
 void add_fittings(SyntheticScene& scene, std::uint64_t seed);
 
 }  // namespace ridgeline::simulate

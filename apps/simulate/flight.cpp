@@ -37,7 +37,7 @@ Eigen::AlignedBox2d frame_window(const SyntheticScene& scene,
   return window;
 }
 
-/// Limits the memory that grey values need, the size of the files and the time.
+/// Limits the memory for grey values, the file size and the run time.
 void check_num_pixels(const Eigen::Vector2d& size_px) {
   constexpr double kMaxPixels = 3e8;
   check(size_px.prod() <= kMaxPixels, "images of ", size_px.x(), " x ", size_px.y(),
@@ -51,13 +51,13 @@ void check_frame_size(const Eigen::Vector2i& size_px) {
         kMaxFrameSide_px, "] each");
 }
 
-/// Where an image lies in the full frame, whose principal point is pixel (0, 0).
+/// Position of an image in the full frame, whose principal point is pixel (0, 0).
 struct RenderedWindow {
   Eigen::Vector2d corner_px;  ///< the top-left pixel
   Eigen::Vector2i size_px;
 };
 
-/// Where a view is in fact, with the errors of the flight.
+/// The actual pose of a view, with the errors of the flight.
 ExteriorOrientation flown(const SyntheticScene& scene,
                           const FlightOptions& options,
                           const PlannedView& planned) {
@@ -97,7 +97,8 @@ RenderedWindow window_of(const SyntheticScene& scene,
   return {corner_px, last_px.cast<int>().array() + 1};
 }
 
-/// The pixels of a frame around the image of the mesh; a side looks a little beyond an edge.
+/// The pixels of a frame around the image of the mesh, with a small margin because edge sides are
+/// sampled slightly beyond an edge.
 Eigen::AlignedBox2i pixels_of_mesh(const Mesh& mesh, const AerialView& view) {
   constexpr double kBeside_px = 4.0;
   Eigen::AlignedBox2d seen_px;
@@ -113,10 +114,10 @@ Eigen::AlignedBox2i pixels_of_mesh(const Mesh& mesh, const AerialView& view) {
   return {shown_px.min().array().floor().cast<int>(), shown_px.max().array().ceil().cast<int>()};
 }
 
-/// Rays near the horizon meet the ground nowhere or far beyond what a landscape can be taken to be
-/// plane for.
+/// Rays near the horizon do not meet the ground, or only too far away for the landscape to be
+/// treated as a plane.
 void check_looks_down(const SyntheticScene& scene, const AerialView& view) {
-  constexpr double kMinSinking = 0.1;  // height over way: ten flying heights away
+  constexpr double kMinSinking = 0.1;  // descent per distance: ground ten flying heights away
   const Eigen::Vector2d last_px = view.size_px.cast<double>() - Eigen::Vector2d::Ones();
   for (const double column : {0.0, last_px.x()}) {
     for (const double row : {0.0, last_px.y()}) {
@@ -212,7 +213,7 @@ std::array<ProjectionMatrix, 2> nominal_pair(const SyntheticScene& scene) {
   FlightOptions nominal;
   nominal.attitude_sigma_deg = 0.0;
   nominal.position_sigma_m = 0.0;
-  // angles are the same in any window; that of a town has too many pixels
+  // the angles are the same in any window, and a window for a town would have too many pixels
   nominal.size_px = {{2, 2}, {2, 2}};
   const std::vector<AerialView> views = aerial_views(scene, nominal);
   return {views[0].image_from_world, views[1].image_from_world};

@@ -12,7 +12,7 @@
 
 namespace ridgeline::simulate {
 
-/// The sides that a whole frame may have.
+/// Limits of the side lengths of a whole frame.
 inline constexpr int kMinFrameSide_px = 100;
 inline constexpr int kMaxFrameSide_px = 30000;
 
@@ -21,18 +21,18 @@ struct FlightOptions {
   std::vector<ViewGroup> groups{{ViewGroupKind::kStrip, 2}};
   double focal_length_px = 10000.0;
   double height_above_ground_m = 800.0;
-  double base_to_height = 0.26;  ///< of neighbours in a strip
+  double base_to_height = 0.26;  ///< of neighbouring views in a strip
   double oblique_tilt_deg = 35.0;
   double attitude_sigma_deg = 0.4;  ///< errors of omega, phi and kappa of each view
   double position_sigma_m = 2.0;    ///< error of each projection centre, per axis
-  double sun_step_deg = 0.0;        ///< the sun moves on while the views are taken
+  double sun_step_deg = 0.0;        ///< motion of the sun from view to view
   /// Margin of the image around the plan. A negative margin cuts off the border of the plan, a
   /// straight edge that no landscape has.
   double margin_m = -2.0;
   /// Columns and rows of each image, around the middle of the plan. Empty: the images show the
   /// whole plan.
   std::vector<Eigen::Vector2i> size_px;
-  /// Columns and rows of whole frames, whose principal point is the middle, in place of images
+  /// Columns and rows of whole frames, with the principal point in the middle, instead of images
   /// around the plan.
   std::optional<Eigen::Vector2i> frame_px;
   std::uint64_t seed = 1;
@@ -59,8 +59,8 @@ struct FlightOptions {
 };
 
 /// The flight of Chio and Wang 2000, section 4: pixels of 30 um at an image scale of 1:8,000, hence
-/// a ground pixel of 0.24 m, images of 180 x 180 and 225 x 180 pixels. The paper does not give the
-/// camera; 15 cm focal length, 23 cm frames and 60 % overlap were the rule.
+/// a ground pixel of 0.24 m, images of 180 x 180 and 225 x 180 pixels. The paper does not specify
+/// the camera; 15 cm focal length, 23 cm frames and 60 % overlap were customary.
 FlightOptions chio_wang_flight();
 
 }  // namespace ridgeline::simulate

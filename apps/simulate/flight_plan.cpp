@@ -10,7 +10,7 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// Largest vertical distance of anything in the scene to the mean terrain.
+/// Largest vertical distance of anything in the scene from the mean terrain.
 double relief_m(const SyntheticScene& scene) {
   double relief = kMaxOutlierHeightM;
   for (const Eigen::Vector3d& x : scene.mesh.vertices) {
@@ -19,10 +19,10 @@ double relief_m(const SyntheticScene& scene) {
   return relief;
 }
 
-/// How far in plan a return may lie from where its pulse aims: the beam leans by the scan angle,
-/// and the errors have their tails.
+/// Maximum plan distance of a return from the aim of its pulse, due to the inclination of the beam
+/// and the tails of the errors.
 double plan_margin_m(const SyntheticScene& scene, const AlsOptions& options) {
-  constexpr double kTail = 7.0;  // standard deviations that no draw exceeds in practice
+  constexpr double kTail = 7.0;  // number of standard deviations that no draw exceeds in practice
   const double noise_m =
       options.range_sigma_m + options.cross_sigma_m + options.strip_offset_sigma_m;
   return relief_m(scene) * std::tan(kRadPerDeg * options.half_scan_angle_deg) + kTail * noise_m +
@@ -42,7 +42,7 @@ FlightPlan::FlightPlan(const SyntheticScene& scene, const AlsOptions& options)
       strip_spacing_m_(swath_m_ * (1.0 - options.strip_overlap)),
       margin_m_(plan_margin_m(scene, options)) {
   half_length_m_ = 0.5 * scene.extent_m.norm() + margin_m_;
-  // one strip more than needed, so that each scene is seen from two sides at least
+  // one strip more than needed, so that each scene is seen from at least two sides
   num_strips_ = static_cast<int>(std::ceil(scene.extent_m.norm() / strip_spacing_m_)) + 1;
   pulse_spacing_m_ = std::sqrt(mean_coverage(scene.extent_m) / options.density_per_m2);
   num_lines_ = static_cast<int>(std::ceil(2.0 * half_length_m_ / pulse_spacing_m_));
@@ -87,10 +87,10 @@ FlightPlan::PulseRange FlightPlan::pulses_near(int strip,
 }
 
 Pulse FlightPlan::pulse(int strip, int line, int pulse, Random& random) const {
-  constexpr double kJitter = 0.1;  // share of the spacing: mirror and clock are not perfect
+  constexpr double kJitter = 0.1;  // share of the spacing, because mirror and clock are not perfect
   const double share = (pulse + 0.5) * pulse_spacing_m_ / swath_m_;
   const auto jitter = [&] { return kJitter * pulse_spacing_m_ * random.normal(); };
-  // the aircraft moves on by one line while the mirror sweeps
+  // the aircraft advances by one line while the mirror sweeps
   const double f = -half_length_m_ + (line + share) * pulse_spacing_m_;
   const double a = strip_centre_a_m(strip) + (share - 0.5) * swath_m_;
   const double spread = 0.5 * footprint_m_ * std::sqrt(random.uniform());

@@ -12,26 +12,26 @@ namespace ridgeline::simulate {
 /// Outliers lie up to this height above the ground.
 inline constexpr double kMaxOutlierHeightM = 60.0;
 
-/// One laser shot: from the aircraft towards a point of the mean terrain. Local metres.
+/// One laser pulse, from the aircraft towards a point on the mean terrain. Local metres.
 struct Pulse {
   Eigen::Vector3d origin_m;
   Eigen::Vector3d target_m;
 };
 
-/// Where the aircraft flies and where its pulses aim. Frame `flight`: f along the strips, a across,
-/// origin in the middle of the scene.
+/// The flight path and the aim of the pulses. Frame `flight`: f along the strips, a across, origin
+/// in the middle of the scene.
 class FlightPlan {
  public:
   FlightPlan(const SyntheticScene& scene, const AlsOptions& options);
 
   [[nodiscard]] int num_strips() const { return num_strips_; }
-  [[nodiscard]] int num_lines() const { return num_lines_; }  ///< scan lines of a strip
+  [[nodiscard]] int num_lines() const { return num_lines_; }  ///< scan lines per strip
 
   struct PulseRange {
     int first = 0;
     int last = 0;  ///< one past the end
   };
-  /// Pulses of a scan line that may give a return in the window.
+  /// The pulses of a scan line that may produce a return in the window.
   [[nodiscard]] PulseRange pulses_near(int strip,
                                        int line,
                                        const Eigen::AlignedBox2d& window) const;

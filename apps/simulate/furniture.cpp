@@ -12,7 +12,7 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// A direction that is uniform on the unit sphere (Archimedes: z is uniform).
+/// A direction uniformly distributed on the unit sphere (Archimedes: z is uniform).
 Eigen::Vector3d random_direction(Random& random) {
   const double z = random.uniform(-1.0, 1.0);
   const double phi = random.uniform(0.0, 2.0 * std::numbers::pi);
@@ -52,12 +52,12 @@ void add_tree(const Eigen::Vector3d& foot,
   constexpr double kMeanCosine = 0.5;                    // over random orientations
   const double crown_height = std::min(0.75 * height_m, 2.6 * crown_radius_m);
   const Eigen::Vector3d centre = foot + Eigen::Vector3d(0.0, 0.0, height_m - 0.5 * crown_height);
-  // half axes for the centres of the leaves, whose tips stay within the crown
+  // semi-axes for the centres of the leaves, so that their tips stay within the crown
   const Eigen::Vector3d half_axes(crown_radius_m - kLeafM, crown_radius_m - kLeafM,
                                   0.5 * crown_height - kLeafM);
   const double shadow_m2 = std::numbers::pi * crown_radius_m * crown_radius_m;
   const int count = static_cast<int>(kOpticalDepth * shadow_m2 / (kMeanCosine * kLeafAreaM2));
-  // bulges make the crown rough: the radius varies with the direction
+  // bulges make the crown rough: the radius varies with direction
   const SurfaceAppearance leaf{kNone, kNone, Material::kFoliage, next_object_id(mesh)};
   const Eigen::Vector3d wave{random.uniform(2.0, 4.0), random.uniform(2.0, 4.0),
                              random.uniform(2.0, 4.0)};

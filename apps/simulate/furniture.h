@@ -10,15 +10,15 @@
 
 namespace ridgeline::simulate {
 
-/// Adds a crown of many small random leaves, so that a laser pulse meets some of them and may pass,
-/// over a thin trunk. `foot`: where the trunk meets the ground.
+/// Adds a thin trunk with a crown of many small random leaves, so that a laser pulse hits some of
+/// them and may pass through. `foot`: where the trunk meets the ground.
 void add_tree(const Eigen::Vector3d& foot,
               double crown_radius_m,
               double height_m,
               Random& random,
               Mesh& mesh);
 
-/// A car stands level: a body and a cabin on its middle, both boxes. Heights are above its foot.
+/// A level car: a body with a cabin in its middle, both boxes. Heights are above its foot.
 struct Car {
   Eigen::Vector3d foot = Eigen::Vector3d::Zero();  ///< on the ground below its middle
   double azimuth_rad = 0.0;
@@ -28,7 +28,7 @@ struct Car {
 
 void add_car(const Car& car, Mesh& mesh);
 
-/// The upper edges of its body and its cabin.
+/// The upper edges of the car's body and cabin.
 std::vector<Segment3> edges_of(const Car& car);
 
 }  // namespace ridgeline::simulate

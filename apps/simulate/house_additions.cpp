@@ -12,9 +12,9 @@
 namespace ridgeline::simulate {
 namespace {
 
-constexpr double kAnnexFoundationM = 1.0;  // as of the house
+constexpr double kAnnexFoundationM = 1.0;  // as for the house
 
-/// One wall of the main body with axes of its own: a along the wall, d outwards from it.
+/// One wall of the main body with its own axes: a along the wall, d outwards.
 struct WallFrame {
   Eigen::Vector2d middle, outwards;
   double half_length_m = 0.0;
@@ -28,7 +28,7 @@ struct WallFrame {
 struct Annex {
   double centre_a_m = 0.0;
   double width_m = 0.0, depth_m = 0.0;
-  double front_height_m = 0.0;  ///< of its roof above the ground at the middle of its front wall
+  double front_height_m = 0.0;  ///< roof height above the ground at the middle of its front wall
   double slope = 0.0;
   double overhang_m = 0.0;
 };
@@ -61,7 +61,7 @@ RoofPart part_of(const HouseShape& shape,
                  const WallFrame& wall,
                  const Annex& annex,
                  const PlanFunction& ground) {
-  constexpr double kInsideM = 0.1;  // its inner end lies within the house
+  constexpr double kInsideM = 0.1;  // its inner end reaches into the house
   const double low_a = annex.centre_a_m - 0.5 * annex.width_m;
   const double high_a = annex.centre_a_m + 0.5 * annex.width_m;
   const auto outline = [&](double overhang_m) -> ConvexPolygon {  // counter-clockwise
@@ -88,7 +88,8 @@ double underside_m(const RoofPart& part, const Eigen::Vector2d& x) {
   return z - part.slab_thickness_m;
 }
 
-/// Whether an annex keeps below the roof of its house, high above the ground and within reach.
+/// Whether an annex stays below the roof of its house, is high enough above the ground and stays
+/// within reach.
 bool fits(const RoofPart& annex,
           const RoofPart& house,
           const WallFrame& wall,
@@ -99,7 +100,7 @@ bool fits(const RoofPart& annex,
   for (const Eigen::Vector2d& corner : annex.outline) {
     if (corner.norm() > site.reach_m) return false;
     if (annex.tops[0](corner) - site.ground(corner) < kMinHeightM) return false;
-    // below the overhang of the house: at its wall and at its eave
+    // it must be below the overhang of the house, both at the wall and at the eave
     const Eigen::Vector2d at_wall =
         corner - (corner - wall.middle).dot(wall.outwards) * wall.outwards;
     PlanInterval below{0.0, 1.0};
@@ -115,7 +116,7 @@ bool fits(const RoofPart& annex,
 
 /// A dormer that ends well below the main ridge.
 std::optional<Dormer> random_small_dormer(const HouseShape& shape, Random& random) {
-  constexpr double kReach = 0.85;  // share of the way to the ridge
+  constexpr double kReach = 0.85;  // share of the distance to the ridge
   constexpr double kMinFrontHeightM = 0.6;
   Dormer dormer{.type = random.chance(0.5) ? DormerType::kGabled : DormerType::kShed,
                 .width_m = random.uniform(1.2, 2.5),

@@ -19,7 +19,7 @@ RoofPart box(const HouseShape& shape, double overhang_u, double overhang_v) {
   RoofPart part;
   part.outline = centred(0.0, 0.0, half_u + overhang_u, half_v + overhang_v);
   part.walls = centred(0.0, 0.0, half_u, half_v);
-  constexpr double kFoundationM = 1.0;  // it closes gaps on sloped ground
+  constexpr double kFoundationM = 1.0;  // closes gaps on sloping ground
   part.base_z_m = shape.floor_z_m - kFoundationM;
   part.slab_thickness_m = shape.slab_thickness_m;
   part.building_id = shape.building_id;
@@ -28,8 +28,8 @@ RoofPart box(const HouseShape& shape, double overhang_u, double overhang_v) {
 
 double wall_top_z(const HouseShape& shape) { return shape.floor_z_m + shape.wall_height_m; }
 
-/// Two planes that fall to both sides of a ridge at height `ridge_z` through `origin`; `across` is
-/// at right angles to the ridge.
+/// Two planes that slope down on both sides of a ridge at height `ridge_z` through `origin`;
+/// `across` is perpendicular to the ridge.
 std::vector<PlanFunction> gable_planes(const Eigen::Vector2d& origin,
                                        const Eigen::Vector2d& across,
                                        double ridge_z,
@@ -127,7 +127,7 @@ std::vector<RoofPart> l_shaped(const HouseShape& shape, const Wing& wing) {
 
 RoofPart dormer(const HouseShape& shape, const Dormer& dormer) {
   constexpr double kOverhangM = 0.15;
-  constexpr double kInnerEndM = 0.1;  // reach beyond the line where it meets the main roof
+  constexpr double kInnerEndM = 0.1;  // extent beyond the line where it meets the main roof
   const double front_v = 0.5 * shape.width_m - dormer.setback_m;
   const double main_z = ridge_z_m(shape) - std::tan(shape.pitch_rad) * front_v;
   const double eave_z = main_z + dormer.front_height_m;

@@ -11,7 +11,7 @@
 namespace ridgeline::simulate {
 
 /// A house in its own frame: u along the main ridge, v across, origin in the middle of its main
-/// body. Heights are local already.
+/// body. Heights, however, are local.
 struct HouseShape {
   double length_m = 12.0;  ///< length of the main body's walls, along u
   double width_m = 9.0;    ///< width of the main body's walls, along v
@@ -31,11 +31,11 @@ std::vector<RoofPart> hipped(const HouseShape& shape);
 std::vector<RoofPart> flat(const HouseShape& shape);
 /// A flat roof inside a rim of `rim_width_m` that rises by `rim_height_m`.
 std::vector<RoofPart> parapet(const HouseShape& shape, double rim_width_m, double rim_height_m);
-/// A roof of one plane that rises along +v.
+/// A single-plane roof that rises along +v.
 std::vector<RoofPart> shed(const HouseShape& shape);
 
-/// A gabled main body with a gabled wing along +v; eaves at one height, hence two valleys that
-/// start in the inner corners.
+/// A gabled main body with a gabled wing along +v. All eaves are at the same height, so two valleys
+/// start at the inner corners.
 struct Wing {
   double centre_u_m = 0.0;
   double width_m = 6.0;   ///< at most the width of the main body

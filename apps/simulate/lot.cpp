@@ -37,8 +37,8 @@ Dormer random_dormer(const HouseShape& shape, DormerType type, Random& random) {
                 .pitch_rad = kRadPerDeg * random.uniform(20.0, 35.0)};
   if (type == DormerType::kShed) {
     dormer.pitch_rad = shape.pitch_rad - kRadPerDeg * random.uniform(18.0, 24.0);
-    // a lower front lets the dormer run into the main roof well below the ridge
-    constexpr double kReach = 0.8;  // share of the way to the ridge
+    // with a lower front, the dormer meets the main roof well below the ridge
+    constexpr double kReach = 0.8;  // share of the distance to the ridge
     const double way_m = 0.5 * shape.width_m - dormer.setback_m;
     const double gain = std::tan(shape.pitch_rad) - std::tan(dormer.pitch_rad);
     dormer.front_height_m = std::min(dormer.front_height_m, kReach * way_m * gain);
@@ -46,7 +46,7 @@ Dormer random_dormer(const HouseShape& shape, DormerType type, Random& random) {
   return dormer;
 }
 
-/// Adds up to three equal dormers side by side on one side of the roof, as far as they fit.
+/// Adds up to three identical dormers side by side on one side of the roof, as many as fit.
 void add_dormers(const HouseShape& shape,
                  DormerType type,
                  Random& random,
@@ -63,7 +63,7 @@ void add_dormers(const HouseShape& shape,
 }
 
 void steepen_for_dormers(const VillageOptions& options, Random& random, HouseShape& shape) {
-  constexpr double kMinPitchDeg = 38.0;  // below, a dormer would reach the ridge
+  constexpr double kMinPitchDeg = 38.0;  // with a lower pitch, a dormer would reach the ridge
   const double low = std::max(options.min_pitch_deg, kMinPitchDeg);
   shape.pitch_rad = kRadPerDeg * random.uniform(low, std::max(low, options.max_pitch_deg) + 1e-9);
   shape.width_m = random.uniform(8.8, 9.8);
@@ -78,7 +78,7 @@ std::vector<RoofPart> random_wing_house(HouseShape& shape, Random& random) {
   const double reach = 0.5 * (shape.length_m - wing.width_m) - 0.9;
   wing.centre_u_m = random.chance(0.5) ? reach : random.uniform(-reach, reach);
   std::vector<RoofPart> parts = l_shaped(shape, wing);
-  // the house is centred to keep within its lot
+  // the house is centred to stay within its lot
   const Eigen::Vector2d shift(0.0, -0.5 * wing.length_m);
   for (RoofPart& part : parts) part = placed(part, shift, 0.0);
   return parts;
@@ -144,7 +144,7 @@ PlanFunction ground_at_house(const Site& site) {
   return {Eigen::Rotation2Dd(-site.azimuth_rad) * ground.gradient, ground(site.centre_m)};
 }
 
-/// Adds what the options ask for beyond the house itself.
+/// Adds the annexes and small dormers that the options request.
 void add_additions(const VillageOptions& options,
                    RoofType type,
                    const Site& site,
@@ -214,8 +214,8 @@ std::array<double, kRowLength> row_wall_heights_m(double first_m, Random& random
   return heights_m;
 }
 
-/// The gabled house number `i` of a row. It has no overhang at party walls; at each of these the
-/// lower roof ends against the wall of the higher house.
+/// Gabled house number `i` of a row. It has no overhang at party walls, where the lower roof ends
+/// at the wall of the higher house.
 RoofPart row_part(HouseShape shape, const std::array<double, kRowLength>& heights_m, int i) {
   const auto n = static_cast<std::size_t>(i);
   const bool left_end = i == 0;
@@ -226,7 +226,7 @@ RoofPart row_part(HouseShape shape, const std::array<double, kRowLength>& height
   const double right = right_end ? shape.verge_overhang_m : 0.0;
   part.outline = rectangle({-0.5 * shape.length_m - left, part.outline[0].y()},
                            {0.5 * shape.length_m + right, part.outline[2].y()});
-  // sides of a rectangle: 1 is the right one, 3 the left one
+  // sides of a rectangle: 1 is the right side, 3 the left one
   part.is_joint = {false, !right_end && heights_m[n] < heights_m[n + 1], false,
                    !left_end && heights_m[n] < heights_m[n - 1]};
   const double u = (static_cast<double>(i) - 0.5 * (kRowLength - 1)) * shape.length_m;

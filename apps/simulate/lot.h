@@ -11,7 +11,7 @@
 namespace ridgeline::simulate {
 
 inline constexpr double kLotSizeM = 20.0;
-/// A house keeps within this distance of the middle of its lot, whatever its azimuth.
+/// A house stays within this distance of the middle of its lot, whatever its azimuth.
 inline constexpr double kHouseRadiusM = 9.7;
 
 /// Where a house may stand.
@@ -22,8 +22,8 @@ struct Site {
   GroundPlane ground{};
 };
 
-/// Adds a random house of a type: its parts, lines, planes and SceneBuilding record(s). Annexes and
-/// small dormers are drawn from `clutter`.
+/// Adds a random house of the given type: its parts, lines, planes and SceneBuilding record(s).
+/// `clutter` is the random stream for annexes and small dormers.
 void add_house(const VillageOptions& options,
                RoofType type,
                const Site& site,

@@ -25,7 +25,7 @@ void add_polygon(const std::vector<Eigen::Vector3d>& corners,
                  const SurfaceAppearance& look,
                  Mesh& mesh);
 
-/// Adds top and sides of a body with vertical walls between two heights; no bottom.
+/// Adds the top and sides, but no bottom, of a body with vertical walls between two heights.
 void add_prism(const ConvexPolygon& outline,
                double low_z,
                double high_z,

@@ -4,7 +4,7 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// std::floor without a function call, which std::floor makes on processors before SSE 4.1.
+/// Inline replacement for std::floor, which is a function call without SSE 4.1.
 std::int32_t floor_of(float x) {
   const auto truncated = static_cast<std::int32_t>(x);
   return truncated - (static_cast<float>(truncated) > x ? 1 : 0);

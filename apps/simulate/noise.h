@@ -7,8 +7,7 @@
 
 namespace ridgeline::simulate {
 
-/// A well mixed function of integers, for random values that must be the same whenever they are
-/// asked for (lowbias32, Wellons 2018).
+/// A hash with good mixing, for random values that must be reproducible (lowbias32, Wellons 2018).
 inline std::uint32_t hash(std::uint32_t x) {
   x = (x ^ (x >> 16U)) * 0x7feb352dU;
   x = (x ^ (x >> 15U)) * 0x846ca68bU;
@@ -21,15 +20,16 @@ inline std::uint32_t hash(std::int32_t i, std::int32_t k, std::uint32_t key) {
   return hash(static_cast<std::uint32_t>(i), hash(static_cast<std::uint32_t>(k), key));
 }
 
-/// Turns a hash into a number that is uniform in [0, 1).
+/// Maps a hash to a number uniformly distributed in [0, 1).
 inline float unit(std::uint32_t h) { return static_cast<float>(h >> 8U) * 0x1p-24F; }
 
 /// Smooth noise in [-1, 1] with a period of about `wavelength_m`: random values on a grid, cubic
 /// blending (value noise).
 float value_noise(const Eigen::Vector2f& x_m, float wavelength_m, std::uint32_t key);
 
-/// Sum of value noise from the longest wavelength down by halves, each with half the amplitude of
-/// the last (`roughness` 0.5). Stops at twice the footprint, so that nothing aliases; in [-1, 1].
+/// Sum of value noise whose wavelength is halved from the longest one down, each with half the
+/// amplitude of the previous one (`roughness` 0.5). Stops at twice the footprint to avoid aliasing;
+/// in [-1, 1].
 float fractal_noise(const Eigen::Vector2f& x_m,
                     float longest_m,
                     float shortest_m,

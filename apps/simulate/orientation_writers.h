@@ -5,7 +5,8 @@
 
 #include <string>
 
-/// One function a file. Each gives the text of an orientation that write_orientation() has checked.
+/// One function per file. Each returns the text for an orientation that write_orientation() has
+/// checked.
 namespace ridgeline::simulate {
 
 std::string opk_table_text(const io::Orientation& orientation);
@@ -20,27 +21,27 @@ std::string colmap_cameras_text(const io::Orientation& orientation);
 std::string colmap_images_text(const io::Orientation& orientation);
 std::string colmap_points_text(const io::Orientation& orientation);
 
-/// The file of cameras that read_cameras() takes.
+/// A camera file for read_cameras().
 std::string camera_file_text(const io::Orientation& orientation);
 
 /// The system as WKT1; empty if it is unknown.
 std::string wkt_text(const io::Orientation& orientation);
 
-// What the formats share.
+// Helpers shared by the formats.
 
-/// The name of the camera of an image.
+/// The name of an image's camera.
 const std::string& camera_name(const io::Orientation& orientation, const io::OrientedImage& image);
 
-/// The principal point from the middle of the image, pixels right and down.
+/// The principal point relative to the middle of the image, pixels to the right and down.
 Eigen::Vector2d principal_offset_px(const InteriorOrientation& interior);
 
-/// The principal point where pixels are counted from the corner of the image.
+/// The principal point in pixels counted from the corner of the image.
 Eigen::Vector2d principal_point_from_corner_px(const InteriorOrientation& interior);
 
-/// Turns the world into camera axes x right, y down, z forwards.
+/// The rotation from the world to camera axes x right, y down, z forwards.
 Eigen::Matrix3d cam_from_world(const ExteriorOrientation& exterior);
 
-/// The elements row by row, with blanks between.
+/// The elements row by row, separated by blanks.
 std::string row_by_row(const Eigen::Matrix3d& matrix);
 
 }  // namespace ridgeline::simulate

@@ -9,7 +9,7 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// Reflectance in red, green, blue and near infrared; after the spectra of urban materials in
+/// Reflectance in red, green, blue and near infrared; based on the spectra of urban materials in
 /// Herold, Roberts, Gardner, Dennison 2004, rounded.
 using Entry = std::array<float, 4>;
 
@@ -98,7 +98,7 @@ Spectrum base_reflectance(Material material, bool flat_roof, std::uint32_t key) 
   const std::span<const Entry> entries = choices(material, flat_roof);
   const std::uint32_t h = hash(key, static_cast<std::uint32_t>(material));
   const Entry& entry = entries[h % entries.size()];
-  constexpr float kSpread = 0.12F;  // no two houses are quite alike
+  constexpr float kSpread = 0.12F;  // no two houses are exactly alike
   const float gain = 1.0F + kSpread * (2.0F * unit(hash(h)) - 1.0F);
   return gain * Spectrum(entry[0], entry[1], entry[2], entry[3]);
 }

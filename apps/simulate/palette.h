@@ -5,7 +5,7 @@
 
 namespace ridgeline::simulate {
 
-/// Diffuse reflectance of a material; `key` chooses among what is usual in a village.
+/// Diffuse reflectance of a material; `key` selects one of the variants common in a village.
 Spectrum base_reflectance(Material material, bool flat_roof, std::uint32_t key);
 
 }  // namespace ridgeline::simulate

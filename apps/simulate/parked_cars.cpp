@@ -23,7 +23,7 @@ Car random_car(Random& random) {
   return car;
 }
 
-/// On the street, 0.3 m off the border of the lot.
+/// A place on the street, 0.3 m from the border of the lot.
 Eigen::Vector2d kerb_place(const CarSite& site, double u_in_lot_m, const Car& car) {
   constexpr double kGapM = 0.3;
   const double side = site.low_uv.y() > site.row.street_v_m ? 1.0 : -1.0;
@@ -38,9 +38,9 @@ std::optional<Eigen::Vector2d> free_place(const CarSite& site,
                                           const std::vector<Eigen::Vector2d>& taken,
                                           Random& random) {
   constexpr int kAttempts = 20;
-  constexpr double kCarM = 2.7;    // half its length, and some space
-  constexpr double kClearM = 3.5;  // of the roof of the house, less what a tree may hang over it
-  constexpr double kApartM = 5.0;  // between the middles of two cars
+  constexpr double kCarM = 2.7;    // half its length plus some space
+  constexpr double kClearM = 3.5;  // from the house's roof, minus the overhang allowed for trees
+  constexpr double kApartM = 5.0;  // between the centres of two cars
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const Eigen::Vector2d in_lot{random.uniform(kCarM, kLotSizeM - kCarM),
                                  random.uniform(kCarM, kLotSizeM - kCarM)};

@@ -6,7 +6,7 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// Copies what a window shows of some rows of its image.
+/// Copies the part of some image rows that lies in a window.
 void copy_rows(const cv::Mat& rows, int first_row, ImageWindow& window) {
   const int begin = std::max(first_row, window.corner_px.y());
   const int end = std::min(first_row + rows.rows, window.corner_px.y() + window.pixels.rows);

@@ -42,7 +42,7 @@ const char* kind_of(Material material) {
   }
 }
 
-/// The height of the ground below a plan position; nothing outside of the plan.
+/// The height of the ground below a plan position; undefined outside the plan.
 class Ground {
  public:
   explicit Ground(const SyntheticScene& scene) {
@@ -70,7 +70,7 @@ class Ground {
   std::vector<VisiblePiece> pieces_;
 };
 
-/// Raises the lower border of a body to the ground, where it is seen.
+/// Raises the lower border of a body to the ground, where it becomes visible.
 Segment3 raised_to_ground(Segment3 edge, const Ground& ground) {
   const auto start_z = ground.height(edge.start.head<2>());
   const auto end_z = ground.height(edge.end.head<2>());
@@ -80,7 +80,7 @@ Segment3 raised_to_ground(Segment3 edge, const Ground& ground) {
   return edge;
 }
 
-/// Adds the borders of the polygons: the sides that belong to one triangle alone, since polygons
+/// Adds the borders of the polygons: the sides that belong to only one triangle, because polygons
 /// share no vertices.
 void add_mesh_edges(const SyntheticScene& scene, std::vector<PhysicalEdge>& edges) {
   const Ground ground(scene);
@@ -112,7 +112,7 @@ double distance_to_line(const Segment3& line, const Eigen::Vector3d& x) {
   return (x - line.start).cross(direction).norm();
 }
 
-/// Whether two edges lie on one line and overlap or touch.
+/// Whether two edges are collinear and overlap or touch.
 bool continue_each_other(const Segment3& a, const Segment3& b) {
   const Segment3& longer = length(a) >= length(b) ? a : b;
   const Segment3& shorter = length(a) >= length(b) ? b : a;
@@ -124,7 +124,7 @@ bool continue_each_other(const Segment3& a, const Segment3& b) {
   return std::max(from, to) >= -kTouchM && std::min(from, to) <= length(longer) + kTouchM;
 }
 
-/// Sets of edges that hang together.
+/// Groups of connected edges (disjoint sets).
 class Groups {
  public:
   explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
@@ -141,7 +141,8 @@ class Groups {
   std::vector<std::size_t> parent_;
 };
 
-/// Numbers of the edges that pass each cell of a plan grid, so that only neighbours are compared.
+/// Indices of the edges that pass through each cell of a plan grid, so that only neighbours are
+/// compared.
 std::map<std::pair<int, int>, std::vector<std::size_t>> cells_of(
     const std::vector<PhysicalEdge>& edges) {
   constexpr double kCellM = 4.0;
@@ -164,7 +165,8 @@ std::map<std::pair<int, int>, std::vector<std::size_t>> cells_of(
   return cells;
 }
 
-/// One edge over the whole length of its members; the member of the lowest rank gives its kind.
+/// One edge over the full length of its members; its kind is that of the member with the lowest
+/// rank.
 PhysicalEdge merged(const std::vector<const PhysicalEdge*>& members) {
   const PhysicalEdge& longest = **std::max_element(
       members.begin(), members.end(), [](const PhysicalEdge* a, const PhysicalEdge* b) {

@@ -68,7 +68,7 @@ LabelledPolygon clip(const LabelledPolygon& polygon, const PlanFunction& inside,
     const double fb = inside(b);
     if (fa >= 0.0) {
       result.corners.push_back(a);
-      // a side that leaves through corner a itself is replaced by the new one
+      // a side that leaves the half-plane exactly at corner a is replaced by the new side
       result.labels.push_back(fa == 0.0 && fb < 0.0 ? label : polygon.labels[i]);
     }
     if ((fa > 0.0 && fb < 0.0) || (fa < 0.0 && fb > 0.0)) {
@@ -118,7 +118,7 @@ std::optional<Segment2> intersection(const PlanFunction& height_a,
                                      const ConvexPolygon& polygon_a,
                                      const PlanFunction& height_b,
                                      const ConvexPolygon& polygon_b) {
-  constexpr double kParallel = 1e-9;  // difference of the slopes
+  constexpr double kParallel = 1e-9;  // difference of slopes
   constexpr double kReachM = 1e4;     // longer than any roof
   const PlanFunction difference = height_a - height_b;
   const double steepness = difference.gradient.norm();

@@ -12,8 +12,8 @@
 
 namespace ridgeline::simulate {
 
-/// f(x) = gradient . x + offset on the plan. It is the height of an inclined plane, or a half-plane
-/// if it is read as f(x) >= 0.
+/// f(x) = gradient . x + offset on the plan. It represents the height of an inclined plane, or a
+/// half-plane f(x) >= 0.
 struct PlanFunction {
   Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
   double offset = 0.0;
@@ -38,23 +38,23 @@ std::vector<PlanFunction> half_planes(const ConvexPolygon& polygon);
 
 bool contains(const ConvexPolygon& polygon, const Eigen::Vector2d& x);
 
-/// Whether the interiors of two convex polygons meet (separating axis theorem).
+/// Whether the interiors of two convex polygons intersect (separating axis theorem).
 bool overlap(const ConvexPolygon& a, const ConvexPolygon& b);
 
 double area(const ConvexPolygon& polygon);
 
-/// A convex polygon that knows where each side comes from: labels[i] belongs to the side from
+/// A convex polygon whose labels record the origin of each side: labels[i] belongs to the side from
 /// corners[i] to corners[i + 1].
 struct LabelledPolygon {
   ConvexPolygon corners;
   std::vector<int> labels;
 };
 
-/// The part of the polygon where inside >= 0; a new side bears `label`. Empty if nothing is left.
+/// The part of the polygon where inside >= 0; a new side gets `label`. Empty if nothing is left.
 LabelledPolygon clip(const LabelledPolygon& polygon, const PlanFunction& inside, int label);
 ConvexPolygon clip(const ConvexPolygon& polygon, std::span<const PlanFunction> inside);
 
-/// A part of a segment, by the parameters t of point_at(segment, t); empty unless begin < end.
+/// A part of a segment, given by parameters t of point_at(segment, t); empty unless begin < end.
 struct PlanInterval {
   double begin = 0.0;
   double end = 1.0;
@@ -68,7 +68,7 @@ PlanInterval clip(PlanInterval interval, const Segment2& segment, const PlanFunc
 std::vector<PlanInterval> subtract(std::span<const PlanInterval> intervals,
                                    const PlanInterval& hole);
 
-/// The segment on which two heights agree, within both polygons; nothing for parallel planes.
+/// The segment within both polygons on which two heights agree; std::nullopt for parallel planes.
 std::optional<Segment2> intersection(const PlanFunction& height_a,
                                      const ConvexPolygon& polygon_a,
                                      const PlanFunction& height_b,

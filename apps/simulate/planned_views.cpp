@@ -13,27 +13,26 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// How far view i of a strip is from the middle of the strip.
+/// Distance of view i of a strip from the middle of the strip.
 double along_strip_m(const FlightOptions& options, int num_views, int i) {
   const double base_m = options.base_to_height * options.height_above_ground_m;
   return (i - 0.5 * (num_views - 1)) * base_m;
 }
 
-/// A view that looks at the middle of the plan; its azimuth is that of the camera seen from there.
+/// Aims a view at the middle of the plan; the azimuth is that of the camera as seen from there.
 void aim_oblique(const FlightOptions& options, double azimuth_rad, PlannedView& view) {
   const double tilt_rad = kRadPerDeg * options.oblique_tilt_deg;
   const Eigen::Vector3d to_camera{std::sin(tilt_rad) * std::sin(azimuth_rad),
                                   std::sin(tilt_rad) * std::cos(azimuth_rad), std::cos(tilt_rad)};
   view.from_middle_m = options.height_above_ground_m * to_camera;
-  // tilted about its rows, a camera stands at -y and looks towards +y; then it is turned to its
-  // azimuth
+  // a camera tilted about its rows is at -y and looks towards +y; then it is rotated to its azimuth
   view.world_from_camera_axes = world_from_camera_axes(0.0, 0.0, std::numbers::pi - azimuth_rad) *
                                 world_from_camera_axes(tilt_rad, 0.0, 0.0);
 }
 
 PlannedView planned_view(const FlightOptions& options, const ViewGroup& group, int i) {
   constexpr double kFirstAzimuthRad = std::numbers::pi / 4.0;
-  // so that no view of the strip along y stands where one of the strip along x does
+  // so that no view of the strip along y coincides with one of the strip along x
   constexpr double kCrossShiftBases = 0.25;
   const double along_m = along_strip_m(options, group.num_views, i);
   const double height_m = options.height_above_ground_m;
@@ -54,8 +53,8 @@ PlannedView planned_view(const FlightOptions& options, const ViewGroup& group, i
   return view;
 }
 
-/// The view of a group that is nearest to the middle of the plan; all oblique views are equally
-/// far.
+/// The view of a group that is nearest to the middle of the plan; oblique views are all equally
+/// distant.
 int base_of(const ViewGroup& group) {
   return group.kind == ViewGroupKind::kOblique ? 0 : (group.num_views - 1) / 2;
 }
@@ -76,8 +75,8 @@ std::vector<PlannedView> planned_views(const FlightOptions& options) {
     views[0].id = "left";
     views[1].id = "right";
   }
-  // the view after the base is its neighbour, as a group with more than one view has its base
-  // before its end
+  // the view after the base is its neighbour, because in a group of several views the base is not
+  // the last
   const auto base = views.begin() + base_of(options.groups.front());
   std::rotate(views.begin(), base, base + 2);
   return views;

@@ -8,7 +8,7 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// Smallest squared distance between two points of the periodic lattice (i, i * step mod n).
+/// The smallest squared distance between two points of the periodic lattice (i, i * step mod n).
 int spacing(int n, int step) {
   int nearest = 2 * n * n;
   for (int i = 1; i < n; ++i) {

@@ -9,8 +9,8 @@ namespace ridgeline::simulate {
 /// Sub-pixel positions are multiples of 1/kSubPixels, counted from the left or upper border.
 inline constexpr int kSubPixels = 256;
 
-/// Where the rays of one pixel go: a lattice in which no two rays share a column or a row, so that
-/// an edge parallel to the rows is resolved to 1/n of a pixel, n the number of rays.
+/// The ray positions within a pixel: a lattice in which no two rays share a column or a row, so
+/// that an edge parallel to the rows is resolved to 1/n of a pixel for n rays.
 struct SubPixelLattice {
   explicit SubPixelLattice(int samples_per_side);
   struct Position {
@@ -19,8 +19,8 @@ struct SubPixelLattice {
   std::vector<Position> positions;
 };
 
-/// A Gaussian point spread function, sampled: how much a ray at a sub-pixel position adds to the
-/// pixels around, along one axis.
+/// A sampled Gaussian point spread function: the contribution of a ray at a sub-pixel position to
+/// the surrounding pixels, along one axis.
 class PointSpread {
  public:
   static constexpr int kReachPx = 2;

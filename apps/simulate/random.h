@@ -10,9 +10,9 @@ namespace ridgeline::simulate {
 
 /// SplitMix64 with its own distributions, because those of the standard library differ between
 /// implementations. Keyed by any number of integers (seed, strip, pulse, ...), so that each
-/// independent output draws from its own stream and no result depends on the number of threads.
-/// Several draws in one expression belong in braces, which are evaluated in order; the arguments of
-/// a call are not.
+/// independent output draws from its own stream and no result depends on the number of threads. Put
+/// several draws in one expression in braces, which are evaluated in order, unlike function
+/// arguments.
 class Random : public SplitMix64 {
  public:
   Random(std::initializer_list<std::uint64_t> key);

@@ -34,7 +34,8 @@ void fill_triangles(const Mesh& mesh, RTCGeometry geometry) {
   }
 }
 
-/// Distance to the triangle's plane in double: Embree's own is float, good to 0.1 mm at best.
+/// Distance to the triangle's plane in double precision: Embree's own result is a float, accurate
+/// to 0.1 mm at best.
 double distance_to_plane(const Mesh& mesh,
                          const Triangle& triangle,
                          const Eigen::Vector3d& origin,

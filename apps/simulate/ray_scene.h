@@ -13,7 +13,7 @@
 
 namespace ridgeline::simulate {
 
-/// Ray casting against a mesh; the only place that knows Embree. Queries may run in parallel.
+/// Ray casting against a mesh; only this class uses Embree. Queries may run in parallel.
 class RayScene {
  public:
   struct Ray {
@@ -25,7 +25,7 @@ class RayScene {
     int triangle = 0;         ///< index into Mesh::triangles
   };
 
-  /// Keeps a reference to the mesh. Throws std::runtime_error if Embree gives no device.
+  /// Keeps a reference to the mesh. Throws std::runtime_error if Embree cannot create a device.
   explicit RayScene(const Mesh& mesh);
   ~RayScene();
   RayScene(const RayScene&) = delete;
@@ -33,8 +33,8 @@ class RayScene {
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;
 
-  /// The nearest triangle at a distance of at least `min_distance_m` along the unit vector
-  /// `direction`, seen from either side.
+  /// The nearest triangle, facing either way, at a distance of at least `min_distance_m` along the
+  /// unit vector `direction`.
   [[nodiscard]] std::optional<Hit> first_hit(const Eigen::Vector3d& origin,
                                              const Eigen::Vector3d& direction,
                                              double min_distance_m = 0.0) const;
@@ -48,8 +48,8 @@ class RayScene {
       double max_distance_m = std::numeric_limits<double>::infinity()) const;
 
   /// first_hit() and occluded() for many rays of similar origin and direction at once, several
-  /// times faster. There is one answer per ray. A ray within single precision of an edge may get
-  /// another answer than alone.
+  /// times faster. One result per ray. For a ray that passes an edge within single precision, the
+  /// result may differ from that of a single query.
   [[nodiscard]] std::vector<std::optional<Hit>> first_hits(std::span<const Ray> rays) const;
   [[nodiscard]] std::vector<char> occluded(std::span<const Ray> rays) const;
 

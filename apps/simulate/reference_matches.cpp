@@ -13,7 +13,7 @@ double common_length(const PlanInterval& a, const PlanInterval& b) {
   return std::min(a.end, b.end) - std::max(a.begin, b.begin);
 }
 
-/// The pairs of runs with the longest common parts; each run is used once.
+/// The pairs of runs with the longest common parts; each run is used at most once.
 std::vector<std::pair<VisibleRun, VisibleRun>> paired(const std::vector<VisibleRun>& left,
                                                       const std::vector<VisibleRun>& right) {
   struct PossibleMatch {

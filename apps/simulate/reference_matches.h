@@ -9,9 +9,9 @@
 
 namespace ridgeline::simulate {
 
-/// The edges that both of the first two views show clearly, without duplicates, ordered from left
-/// to right by their first point. Their contrast must have been measured. An edge that is
-/// interrupted gives one match for each run that both see.
+/// The edges that are clearly visible in both of the first two views, without duplicates, ordered
+/// from left to right by their first point. Their contrast must have been measured. An interrupted
+/// edge gives one match for each run that is visible in both views.
 std::vector<ReferenceEdge> reference_matches(std::span<const ShownEdge> edges);
 
 }  // namespace ridgeline::simulate

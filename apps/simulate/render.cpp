@@ -19,7 +19,7 @@ namespace {
 constexpr double kShadowOffsetM = 2e-3;   // offset of shadow rays; Embree's float is good to 0.1 mm
 constexpr double kLeafClearanceM = 0.05;  // a leaf does not shadow itself
 
-constexpr double kPointSpreadSigma_px = 0.55;  // of lens and detector together, Gaussian
+constexpr double kPointSpreadSigma_px = 0.55;  // Gaussian, for lens and detector together
 
 double top_z_m(const Mesh& mesh) {
   double top = 0.0;
@@ -57,9 +57,9 @@ Spectrum Renderer::sky_light(const SurfacePoint& point) const {
 
 Spectrum Renderer::sun_light(const SurfacePoint& point, const Eigen::Vector3d& direction) const {
   const float facing = std::max(point.normal.dot(to_sun_.cast<float>()), 0.0F);
-  // light passes leaves, so that their dark sides are not black
+  // light passes through leaves, so that their dark sides are not black
   const float cosine = point.leaf ? 0.25F + 0.75F * facing : facing;
-  const auto along = static_cast<float>(-direction.dot(to_sun_));  // 1: the sun behind the camera
+  const auto along = static_cast<float>(-direction.dot(to_sun_));  // 1: sun behind the camera
   constexpr float kUsual = 0.7F;
   const float gain = 1.0F + static_cast<float>(options_.backscatter) * (along - kUsual);
   return gain * cosine * sun_colour() * point.reflectance;
@@ -68,7 +68,7 @@ Spectrum Renderer::sun_light(const SurfacePoint& point, const Eigen::Vector3d& d
 Renderer::SurfacePoint Renderer::surface_point(const RayScene::Ray& ray,
                                                const std::optional<RayScene::Hit>& hit,
                                                float footprint_m) const {
-  if (!hit) {  // the ground goes on beyond the mesh
+  if (!hit) {  // the ground continues beyond the mesh
     const PlanFunction& ground = scene_->mean_terrain;
     const double height = ray.origin.z() - ground(ray.origin.head<2>());
     const double sinking = ground.gradient.dot(ray.direction.head<2>()) - ray.direction.z();
@@ -89,7 +89,7 @@ std::vector<Spectrum> Renderer::seen_along(std::span<const RayScene::Ray> rays,
                                            float footprint_m) const {
   const std::vector<std::optional<RayScene::Hit>> hits = rays_.first_hits(rays);
   std::vector<Spectrum> light(rays.size());
-  std::vector<Spectrum> direct;  // sunlight of the points that face the sun
+  std::vector<Spectrum> direct;  // sunlight on the points that face the sun
   std::vector<RayScene::Ray> to_sun;
   std::vector<std::size_t> facing;
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -109,7 +109,7 @@ std::vector<Spectrum> Renderer::seen_along(std::span<const RayScene::Ray> rays,
   return light;
 }
 
-/// A band of rows of one view. The rays of the rows and columns just outside are cast too, since
+/// A band of rows of one view. Rays are also cast for the rows and columns just outside, because
 /// their light spreads into the band.
 class RowBlock {
  public:
@@ -128,7 +128,7 @@ class RowBlock {
         sums_(static_cast<std::size_t>(end_row - first_row) * static_cast<std::size_t>(columns_),
               WeightedSum{Spectrum::Zero(), 0.0F}) {}
 
-  /// `radiance`: the rows of the block.
+  /// `radiance`: output, the rows of the block.
   void render(cv::Mat radiance) {
     constexpr int kReach = PointSpread::kReachPx;
     constexpr int kPixelsAtOnce = 16;
@@ -161,7 +161,7 @@ class RowBlock {
            static_cast<std::size_t>(column);
   }
 
-  /// Beyond the village is lawn alone, without edges: one ray a pixel will do there.
+  /// Beyond the village there is only lawn without edges, where one ray per pixel is sufficient.
   [[nodiscard]] const SubPixelLattice& lattice(int row, int begin_column, int end_column) const {
     constexpr int kReach = PointSpread::kReachPx;
     const Eigen::AlignedBox2i& village = view_.village_px;
@@ -171,8 +171,8 @@ class RowBlock {
     return is_beyond ? beyond_ : in_village_;
   }
 
-  /// Casts the rays of some neighbouring pixels of a row. The lattice is shifted at random from
-  /// pixel to pixel, so that what the rays miss shows as noise and not as a pattern.
+  /// Casts the rays of some neighbouring pixels of a row. The lattice is shifted randomly from
+  /// pixel to pixel, so that undersampling appears as noise rather than as a pattern.
   void cast(int row, int begin_column, int end_column) {
     const std::vector<SubPixelLattice::Position>& positions =
         lattice(row, begin_column, end_column).positions;
@@ -203,14 +203,14 @@ class RowBlock {
   }
 
   /// The ray of a pixel. It starts just above the scene, so that Embree's single precision is
-  /// enough.
+  /// sufficient.
   [[nodiscard]] RayScene::Ray ray(const Eigen::Vector2d& x_px) const {
     const Eigen::Vector3d direction = view_.ray(x_px);
     const double way_m = (renderer_.top_z_m_ - view_.centre_in_local.z()) / direction.z();
     return {view_.centre_in_local + way_m * direction, direction};
   }
 
-  /// The steps from a pixel to those within reach whose number is in [begin, end).
+  /// The offsets from a pixel to those within reach whose index is in [begin, end).
   struct SplatSteps {
     int first, last;
   };

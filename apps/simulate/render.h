@@ -15,16 +15,16 @@
 
 namespace ridgeline::simulate {
 
-/// Light of the sky on level ground over that of the sun.
+/// Ratio of sky light to sunlight on level ground.
 inline constexpr double kSkyShare = 0.22;
 
 /// Light and rays of a rendered view.
 struct RenderOptions {
   double sun_azimuth_deg = 200.0;  ///< clockwise from grid north (+y)
   double sun_elevation_deg = 45.0;
-  int samples_per_side = 3;  ///< a pixel has the square of it as rays
+  int samples_per_side = 3;  ///< a pixel has the square of this number of rays
   // Not options; tests change them.
-  double backscatter = 0.25;  ///< rough surfaces are this much brighter along the sun's rays
+  double backscatter = 0.25;  ///< rough surfaces are brighter by this factor along the sun's rays
   double texture = 1.0;       ///< contrast of the textures; 0: flat colours
   std::uint64_t seed = 1;
 
@@ -40,20 +40,19 @@ struct RenderOptions {
 /// Unit vector towards the sun, local axes.
 Eigen::Vector3d sun_direction(const RenderOptions& options);
 
-/// Renders views of one scene by ray casting: sun with cast shadows, light of the sky, textures
-/// fixed to the surfaces.
+/// Renders views of one scene by ray casting: sunlight with cast shadows, sky light, textures fixed
+/// to the surfaces.
 class Renderer {
  public:
   /// Keeps a reference to the scene. Throws std::invalid_argument for an option outside its range.
   Renderer(const SyntheticScene& scene, const RenderOptions& options);
 
-  /// Radiance free of noise, CV_32FC4 (red, green, blue, near infrared), rows x columns of the
-  /// view; 1: white under the sun at right angles. Pixel (0, 0) is the centre of the top-left
-  /// pixel. Byte-identical for any number of threads. Pixels beyond AerialView::village_px have one
-  /// ray.
+  /// Noise-free radiance, CV_32FC4 (red, green, blue, near infrared), rows x columns of the view;
+  /// 1: white at right angles to the sun. Pixel (0, 0) is the centre of the top-left pixel.
+  /// Byte-identical for any number of threads. Pixels beyond AerialView::village_px have one ray.
   [[nodiscard]] cv::Mat radiance(const AerialView& view) const;
 
-  /// The rows [first_row, end_row) of it, the same bytes.
+  /// Only the rows [first_row, end_row), with the same bytes.
   [[nodiscard]] cv::Mat radiance(const AerialView& view, int first_row, int end_row) const;
 
  private:

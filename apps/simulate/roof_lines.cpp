@@ -8,11 +8,11 @@ namespace ridgeline::simulate {
 namespace {
 
 constexpr double kRoofTouchM = 1e-7;          // bodies that only touch do not cover each other
-constexpr double kMinRoofLineLengthM = 0.01;  // slivers below this are no lines
-constexpr double kHorizontalM = 1e-9;         // height difference over a line
+constexpr double kMinRoofLineLengthM = 0.01;  // shorter slivers are ignored
+constexpr double kHorizontalM = 1e-9;         // height difference along a line
 
-/// Where `part` rises above `height` along the segment. This is one interval, because the outline
-/// and planes of the part are half-planes. It is empty where the two only touch.
+/// Where `part` rises above `height` along the segment. This is a single interval, because the
+/// outline and planes of the part are half-planes. It is empty if the two only touch.
 PlanInterval covered_interval(const RoofPart& part,
                               const Segment2& segment,
                               const PlanFunction& height) {
@@ -76,7 +76,7 @@ class LineCollector {
     }
   }
 
-  /// Adds the joints where walls of higher parts stand on the face.
+  /// Adds the joints where walls of higher parts meet the face.
   void add_joints(const PartFace& face) {
     const std::vector<PlanFunction> cell = half_planes(face.cell.corners);
     for (std::size_t p = 0; p < parts_.size(); ++p) {
@@ -114,7 +114,7 @@ class LineCollector {
     return !flags.empty() && flags[static_cast<std::size_t>(side)];
   }
 
-  /// Adds the pieces of the segment that no third part covers.
+  /// Adds the pieces of the segment that are not covered by a third part.
   void add(const Segment2& segment, const PartFace& face, LineKind kind, const PartFace* other) {
     if (part_of(face).kind == PlaneKind::kChimney) return;
     std::vector<PlanInterval> visible{PlanInterval{}};

@@ -8,8 +8,9 @@
 
 namespace ridgeline::simulate {
 
-/// All edges of the upper envelope of the parts, true lines and joints (kind kJoint) together.
-/// Pieces that another part covers from above are cut off. Chimneys cover, but give no lines.
+/// All edges of the upper envelope of the parts: true lines and joints (kind kJoint). Pieces
+/// covered from above by another part are removed. Chimneys cover other parts, but have no lines
+/// themselves.
 std::vector<SceneLine> roof_lines(std::span<const RoofPart> parts, std::span<const PartFace> faces);
 
 }  // namespace ridgeline::simulate

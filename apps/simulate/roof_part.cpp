@@ -57,7 +57,8 @@ void add_walls(const RoofPart& part, const PartFace& face, Mesh& mesh) {
   for (std::size_t i = 0; i < part.walls.size(); ++i) {
     const Segment2 wall{part.walls[i], part.walls[(i + 1) % part.walls.size()]};
     PlanInterval interval;
-    // walls without overhang lie on the border of the cell, where rounding decides
+    // walls below a roof without overhang lie exactly on the border of the cell and must not be
+    // lost by rounding
     constexpr double kBorderM = 1e-9;
     for (const PlanFunction& side : cell) {
       interval = clip(interval, wall, {side.gradient, side.offset + kBorderM});

@@ -9,7 +9,7 @@
 namespace ridgeline::simulate {
 
 /// A convex body with a roof: top height = minimum of its planes over a convex outline. A roof of
-/// any form is the upper envelope of such parts, so all its lines follow from exact intersections
+/// any shape is the upper envelope of such parts, so all its lines follow from exact intersections
 /// of half-planes.
 struct RoofPart {
   ConvexPolygon outline;           ///< outline of the roof, with the overhang
@@ -31,11 +31,11 @@ struct PartFace {
   int top = 0;           ///< index into RoofPart::tops
 };
 
-/// The faces of all parts, with ids counted from `first_plane_id`.
+/// The faces of all parts, with ids starting at `first_plane_id`.
 std::vector<PartFace> roof_faces(std::span<const RoofPart> parts, int first_plane_id);
 
-/// Adds planes, lines, joints, faces and triangles of parts that may touch each other, but no other
-/// part of the scene.
+/// Adds the planes, lines, joints, faces and triangles of parts that may touch each other but no
+/// other part of the scene.
 void add_structure(std::span<const RoofPart> parts, SyntheticScene& scene);
 
 }  // namespace ridgeline::simulate

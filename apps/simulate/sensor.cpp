@@ -16,7 +16,7 @@ namespace {
 
 enum SensorStream : std::uint64_t { kRadiometryStream = 0x73656e736f72, kNoiseStream };
 
-/// Bands of the radiance in order of the file.
+/// Indices of the radiance bands in file order.
 std::vector<int> file_bands(const std::string& bands) {
   if (bands == "rgb") return {0, 1, 2};
   if (bands == "cir") return {3, 0, 1};
@@ -25,7 +25,8 @@ std::vector<int> file_bands(const std::string& bands) {
   return {};
 }
 
-/// Gain of each band. At full gain the near infrared of plants would outshine everything else.
+/// Gain of each band. At full gain, the near-infrared reflection of plants would outshine
+/// everything else.
 constexpr std::array<double, 4> kBandGain{1.0, 1.0, 1.0, 0.75};
 
 double recorded(double radiance, std::size_t band, const SensorOptions& o, const SensorTone& r) {
@@ -37,12 +38,12 @@ double toned(double recorded, const SensorOptions& o, const SensorTone& r) {
 }
 
 int blur_reach_px(const SensorOptions& options) {
-  constexpr double kReachSigmas = 4.0;  // 6e-5 of the light goes further
+  constexpr double kReachSigmas = 4.0;  // 6e-5 of the light spreads further
   return static_cast<int>(std::ceil(kReachSigmas * options.blur_px));
 }
 
-/// Blurs with the discrete Gaussian (Lindeberg 1990), whose variance is exactly sigma^2. Samples of
-/// the continuous Gaussian are too narrow for a sigma below 0.7 px.
+/// Blurs with the discrete Gaussian (Lindeberg 1990), whose variance is exactly sigma^2. A sampled
+/// continuous Gaussian is too narrow for a sigma below 0.7 px.
 cv::Mat blurred(const cv::Mat& radiance, const SensorOptions& options) {
   const int reach = blur_reach_px(options);
   const double variance = options.blur_px * options.blur_px;
@@ -57,7 +58,7 @@ cv::Mat blurred(const cv::Mat& radiance, const SensorOptions& options) {
   return result;
 }
 
-/// Keeps one colour of each pixel (red green / green blue) and interpolates the other two.
+/// Keeps one colour per pixel (red green / green blue) and interpolates the other two.
 template <typename Number>
 cv::Mat demosaiced(const cv::Mat& image, int first_row) {
   cv::Mat mosaic(image.size(), CV_MAKETYPE(image.depth(), 1));
@@ -162,7 +163,7 @@ cv::Mat expose(const cv::Mat& radiance,
 }
 
 int rows_around(const SensorOptions& options) {
-  constexpr int kBlock = 16;  // JPEG stores colours at half size, in blocks of 8 x 8
+  constexpr int kBlock = 16;  // JPEG stores colours at half resolution, in blocks of 8 x 8
   const int rows =
       blur_reach_px(options) + (options.bayer ? 1 : 0) + (options.jpeg_quality > 0 ? kBlock : 0);
   return (rows + kBlock - 1) / kBlock * kBlock;

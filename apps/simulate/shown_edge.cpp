@@ -14,7 +14,7 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// Least mean difference of the sides of a clear edge, share of the image's range.
+/// Minimum mean difference between the sides of a clear edge, as a share of the image's range.
 constexpr double kMinContrast = 0.03;
 
 std::vector<VisibleRun> runs(const SurfaceOracle& oracle, std::size_t view, const Segment3& edge) {

@@ -15,12 +15,12 @@ namespace ridgeline::simulate {
 struct VisibleRun {
   std::size_t view = 0;
   PlanInterval run;     ///< parameters of the edge's segment
-  Segment2 segment_px;  ///< its image, pixels of the file; all runs of an edge have one direction
-  double visible_share = 0.0;  ///< share of the edge's length that the view sees, all runs together
+  Segment2 segment_px;  ///< its image, pixels of the file; one direction for all runs of an edge
+  double visible_share = 0.0;  ///< share of the edge that the view sees, all runs together
   double contrast = 0.0;       ///< contrast_across() in the image; measure_contrast() sets it
 };
 
-/// A physical edge as the views show it.
+/// A physical edge with its appearance in the views.
 struct ShownEdge {
   std::string kind;
   int rank = 0;                  ///< as PhysicalEdge::rank
@@ -29,20 +29,20 @@ struct ShownEdge {
   [[nodiscard]] std::vector<VisibleRun> in_view(std::size_t view) const;
 };
 
-/// All physical edges of a scene with all that the views see of them by the surfaces alone,
-/// whatever its contrast.
+/// All physical edges of a scene with their visible runs in the views, determined from the surfaces
+/// only, regardless of contrast.
 std::vector<ShownEdge> shown_edges(const SyntheticScene& scene, const SurfaceOracle& oracle);
 
-/// Measures the contrast of all runs in a view. `village`: what its image shows of the
+/// Measures the contrast of all runs in a view. `village`: the part of its image that shows the
 /// village.
 void measure_contrast(std::size_t view, const ImageWindow& village, std::span<ShownEdge> edges);
 
 /// Whether a run is long enough and has enough contrast.
 bool is_clear(const VisibleRun& run);
 
-/// The edges without those that coincide in all their runs, within a pixel, with an edge of
-/// lower rank or a longer one of equal rank. Ordered by the first view that shows them and there
-/// from left to right by their first point.
+/// Removes the edges that coincide in all their runs, within a pixel, with an edge of lower rank or
+/// a longer one of equal rank. The result is ordered by the first view that shows an edge and,
+/// within the view, from left to right by its first point.
 std::vector<ShownEdge> without_duplicates(std::vector<ShownEdge> edges);
 
 }  // namespace ridgeline::simulate

@@ -28,14 +28,14 @@ struct SimulateArguments {
   std::vector<std::string> models;     ///< formats of building models: cityjson, citygml
   std::vector<int> strips_and_frames;  ///< of a block; empty: no block
   simulate::BlockOptions block;
-  int tile_m = 100;  ///< side of a tile of the LIDAR of a block
+  int tile_m = 100;  ///< side of a LIDAR tile of a block
 };
 
 void add_simulate_options(CLI::App& app, SimulateArguments& arguments);
 
-/// Sets what --block decides: the strips, the defaults of options that are not given, and the
-/// extent of the village. Throws std::invalid_argument for options that do not go together, with a
-/// block or without one.
+/// Applies --block: sets the strips, the defaults of options that are not given, and the extent of
+/// the village. Throws std::invalid_argument for options that are not allowed with a block, or
+/// without one.
 void set_block(const CLI::App& app, SimulateArguments& arguments);
 
 }  // namespace ridgeline::apps

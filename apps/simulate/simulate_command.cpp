@@ -36,7 +36,7 @@ constexpr std::array kLineFiles{"lines.good.geojson", "lines.fair.geojson", "lin
                                 "truth.geojson"};
 
 struct ModelFile {
-  const char* option;  ///< of --models
+  const char* option;  ///< value of --models
   const char* name;
   io::ModelFormat format;
 };
@@ -44,7 +44,7 @@ constexpr std::array kModelFiles{
     ModelFile{"cityjson", "buildings.city.json", io::ModelFormat::kCityJson},
     ModelFile{"citygml", "buildings.gml", io::ModelFormat::kCityGml}};
 
-/// The files of the models that the options ask for, each once.
+/// The model files requested by the options, without duplicates.
 std::vector<ModelFile> model_files(const SimulateArguments& a) {
   std::vector<ModelFile> files;
   std::ranges::copy_if(kModelFiles, std::back_inserter(files), [&](const ModelFile& file) {
@@ -69,7 +69,7 @@ void write_lines_of(const results::OutputFolder& out,
   io::write_lines(out.path(name), lines, io::LineFormat::kGeoJson);
 }
 
-/// The patch or the block is named after the folder that it is written to.
+/// The patch or block is named after its output folder.
 std::string name_of_folder(const std::string& folder) {
   const auto path = std::filesystem::weakly_canonical(folder);
   return (path.has_filename() ? path : path.parent_path()).filename().string();
@@ -84,7 +84,7 @@ std::vector<std::string> file_names(const SimulateArguments& a) {
   return names;
 }
 
-/// A geometry that sets the sizes of the images has as many views as sizes.
+/// A geometry that sets the image sizes has as many views as sizes.
 void check_image_sizes(const simulate::FlightOptions& flight) {
   const std::size_t num_views = simulate::planned_views(flight).size();
   check(flight.size_px.empty() || flight.size_px.size() == num_views, "--views has ", num_views,
@@ -94,7 +94,7 @@ void check_image_sizes(const simulate::FlightOptions& flight) {
         "--frame-px and --geometry, must not both be given: each sets the size of the images");
 }
 
-/// Sets what several options share, and what follows from others.
+/// Sets values shared by several options and those that follow from other options.
 void complete(const CLI::App& app, SimulateArguments& a) {
   a.village.seed = a.seed;
   a.als.seed = a.seed;
@@ -114,7 +114,7 @@ void complete(const CLI::App& app, SimulateArguments& a) {
         "), its coordinates are degrees; must be a projected one");
 }
 
-/// The true lines with their class in the nominal pair.
+/// The true lines with their class for the nominal pair.
 io::LineSet nominal_truth(const simulate::SyntheticScene& scene) {
   return simulate::classed_by_views(simulate::true_lines(scene), simulate::nominal_pair(scene));
 }

@@ -11,8 +11,8 @@ namespace {
 constexpr int kMinTileSide_m = 10;
 constexpr int kMaxTileSide_m = 1000;
 
-/// Sets the options to the test of Chio and Wang 2000: their flight over houses on every lot, with
-/// few trees. The plan is larger than the images.
+/// Sets the options to the test of Chio and Wang 2000: their flight, over a village with a house on
+/// every lot and few trees. The plan is larger than the images.
 void set_chio_wang_geometry(SimulateArguments& a) {
   a.views.flight = simulate::chio_wang_flight();
   a.extent_m = {80.0, 80.0};
@@ -56,7 +56,7 @@ void add_village_options(CLI::App& app, SimulateArguments& a) {
       ->group(group);
 }
 
-/// What makes lines harder to judge, off by default.
+/// Options that make lines harder to judge, off by default.
 void add_clutter_options(CLI::App& app, SimulateArguments& a) {
   const char* group = "Clutter";
   app.add_flag_callback(
@@ -89,7 +89,7 @@ void add_clutter_options(CLI::App& app, SimulateArguments& a) {
       ->group(group);
 }
 
-/// Files of the truth that are not always written.
+/// Options for optional truth files.
 void add_truth_options(CLI::App& app, SimulateArguments& a) {
   app.add_option("--models", a.models,
                  "writes the true buildings with their roofs, walls and grounds as well: cityjson "
@@ -147,7 +147,7 @@ void set_orientation(SimulateArguments& a, const std::string& format) {
   a.views.orientation = format;
 }
 
-/// Whole frames and the files that state their cameras.
+/// Options for whole frames and orientation files.
 void add_frame_options(CLI::App& app, SimulateArguments& a, const char* group) {
   app.add_option("--frame-px", a.frame_px,
                  "columns,rows: whole frames of one camera with the village amid lawn, as tiled "
@@ -215,7 +215,7 @@ void add_block_options(CLI::App& app, SimulateArguments& a) {
       ->group(group);
 }
 
-/// What decides the defaults of other options.
+/// Options that determine the defaults of others.
 void add_scene_options(CLI::App& app, SimulateArguments& a) {
   app.add_option("--out", a.out,
                  "folder for patch.yaml, left.tif, right.tif (more views: ID.tif), matches.csv, "

@@ -81,7 +81,7 @@ VisibleVerdict judge_match(const SurfaceOracle& oracle,
   constexpr double kStepPx = 2.0;
   constexpr double kNearPx = 0.4;  // two distances from the edge, both within a fence of 0.1 m
   constexpr double kFarPx = 0.8;
-  constexpr double kBeyondPx = 3.0;  // ends of segments are not exact
+  constexpr double kBeyondPx = 3.0;  // endpoints of segments are not exact
   const Eigen::Vector2d left_normal = normal(left);
   const Eigen::Vector2d right_normal = normal(right);
   const Eigen::Vector2d right_along = along(right);

@@ -50,7 +50,7 @@ void Terrain::add_tile(const TerrainRow& row,
   for (Eigen::Vector2d& x : tile) x = local(x);
   std::vector<Eigen::Vector3d> corners;
   for (const Eigen::Vector2d& x : clip(tile, extent_)) corners.push_back(on(row.ground, x));
-  // each garden has a lawn of its own; a street is one surface
+  // each garden has its own lawn; a street is one surface
   const int object = material == Material::kGround ? next_object_id(scene_->mesh) : kNone;
   add_polygon(corners, {kNone, row.plane_id, material, object}, scene_->mesh);
 }

@@ -10,23 +10,23 @@ namespace ridgeline::simulate {
 inline constexpr double kHalfStreetM = 3.5;
 
 /// One street with the lots on both sides, in village coordinates (u along the streets, v across).
-/// All its ground is one plane.
+/// Its ground is a single plane.
 struct TerrainRow {
   double street_v_m = 0.0;  ///< v of the centre line
   PlanFunction ground;      ///< height in local coordinates
   int plane_id = 0;
 };
 
-/// Lays out ground, street and lots by rectangles in village coordinates, cut to the extent.
+/// Lays out ground, streets and lots as rectangles in village coordinates, clipped to the extent.
 class Terrain {
  public:
-  /// `azimuth_rad`: angle of the streets to the x axis. Village coordinates begin in the middle of
-  /// the extent.
+  /// `azimuth_rad`: angle of the streets to the x axis. The origin of the village coordinates is
+  /// the middle of the extent.
   Terrain(double azimuth_rad, SyntheticScene& scene);
 
   [[nodiscard]] Eigen::Vector2d local(const Eigen::Vector2d& uv) const;
 
-  /// Adds the plane of a row that reaches `half_depth_m` to both sides.
+  /// Adds the plane of a row that extends `half_depth_m` to both sides.
   TerrainRow add_row(double street_v_m, double half_depth_m, const PlanFunction& ground);
   void add_tile(const TerrainRow& row,
                 const Eigen::Vector2d& low_uv,
@@ -39,7 +39,7 @@ class Terrain {
                 LineKind kind = LineKind::kGround);
   /// Adds a dashed centre line and the borders of the street, over [begin, end] along u.
   void add_street(const TerrainRow& row, double begin_u_m, double end_u_m);
-  /// Adds two ranks of parking bays with their markings.
+  /// Adds two rows of parking bays with their markings.
   void add_parking(const TerrainRow& row,
                    const Eigen::Vector2d& low_uv,
                    const Eigen::Vector2d& high_uv);

@@ -18,10 +18,10 @@ constexpr bool kClockwise = true;
 using PlanPolygon = bg::model::polygon<PlanPoint, !kClockwise>;
 using PlanPolygons = bg::model::multi_polygon<PlanPolygon>;
 
-constexpr double kSameM = 1e-6;  // vertices that are so near are one; rounding gives 1e-8
-// at a mitre, a probe beside the wall misses the neighbour
+constexpr double kSameM = 1e-6;  // vertices this close are merged; rounding errors are about 1e-8
+// at a mitre, a probe next to the wall misses the neighbour
 constexpr double kMinWallLengthM = 1e-4;
-constexpr double kSliverM2 = 1e-4;  // left between outlines that touch
+constexpr double kSliverM2 = 1e-4;  // slivers between outlines that touch
 
 PlanPolygon plan_polygon(const ConvexPolygon& corners) {
   PlanPolygon polygon;
@@ -30,7 +30,8 @@ PlanPolygon plan_polygon(const ConvexPolygon& corners) {
   return polygon;
 }
 
-/// The ring without vertices that repeat another or lie on the line between their neighbours.
+/// Removes vertices from a ring that repeat their neighbour or lie on the line between their
+/// neighbours.
 std::vector<Eigen::Vector3d> tidied(std::vector<Eigen::Vector3d> ring) {
   for (std::size_t i = 0; i < ring.size() && ring.size() > 2;) {
     const Eigen::Vector3d& before = ring[(i + ring.size() - 1) % ring.size()];
@@ -40,7 +41,7 @@ std::vector<Eigen::Vector3d> tidied(std::vector<Eigen::Vector3d> ring) {
     const bool is_needless = to.norm() < kSameM || (to - along * along.dot(to)).norm() < kSameM;
     if (is_needless) {
       ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
-      i = 0;  // its neighbours have new ones
+      i = 0;  // its neighbours have new neighbours
     } else {
       ++i;
     }
@@ -48,15 +49,15 @@ std::vector<Eigen::Vector3d> tidied(std::vector<Eigen::Vector3d> ring) {
   return ring;
 }
 
-/// A polygon of the plan on a surface; nothing of it if it is a sliver. `holes` of that size are
-/// left out.
+/// Lifts a plan polygon onto a surface; empty if it is a sliver. Slivers among its holes are left
+/// out.
 std::vector<std::vector<Eigen::Vector3d>> lifted_rings(const PlanPolygon& polygon,
                                                        const PlanFunction& height) {
   std::vector<std::vector<Eigen::Vector3d>> rings;
   const auto add = [&](const PlanPolygon::ring_type& ring) {
     if (std::abs(bg::area(ring)) < kSliverM2) return;
     std::vector<Eigen::Vector3d> corners;
-    for (std::size_t i = 0; i + 1 < ring.size(); ++i) {  // the last repeats the first
+    for (std::size_t i = 0; i + 1 < ring.size(); ++i) {  // the last vertex repeats the first
       const Eigen::Vector2d x(ring[i].x(), ring[i].y());
       corners.emplace_back(x.x(), x.y(), height(x));
     }
@@ -75,7 +76,7 @@ double top_of(const RoofPart& part, const Eigen::Vector2d& x) {
   return z;
 }
 
-/// The face of a wall as its seen piece is walked along: what bounds it from below and from above.
+/// The lower and upper boundary of a wall face, built up piece by piece along the wall.
 struct WallProfile {
   std::vector<Eigen::Vector3d> lower, upper;
 };
@@ -100,7 +101,7 @@ class FaceCollector {
   }
 
  private:
-  /// The other parts of the building of a part.
+  /// The other parts of the building to which a part belongs, without chimneys.
   [[nodiscard]] std::vector<const RoofPart*> others(const RoofPart& part) const {
     std::vector<const RoofPart*> found;
     for (const RoofPart& other : parts_) {
@@ -135,7 +136,8 @@ class FaceCollector {
       add(lifted_rings(polygon, face.height), FaceKind::kRoof, part.building_id);
   }
 
-  /// Where another part hides the foot of a wall: just outside the wall one is inside that part.
+  /// Where another part hides the foot of a wall: where points just outside the wall are inside
+  /// that part.
   static PlanInterval hidden_interval(const RoofPart& other, const Segment2& wall) {
     const Eigen::Vector2d along = (wall.end - wall.start).normalized();
     const Eigen::Vector2d outwards = kSameM * Eigen::Vector2d(along.y(), -along.x());
@@ -146,7 +148,7 @@ class FaceCollector {
     return interval;
   }
 
-  /// The places along a wall, 0 to 1, between which its upper and its lower border are straight.
+  /// The positions along a wall, 0 to 1, between which its upper and lower borders are straight.
   static std::vector<double> breaks_of(const Segment2& wall,
                                        const RoofPart& part,
                                        const std::vector<const RoofPart*>& hiding) {
@@ -183,7 +185,7 @@ class FaceCollector {
     flush(part, profile);
   }
 
-  /// Adds what is seen of a piece of a wall to the profile; false if nothing is.
+  /// Adds the visible part of a piece of a wall to the profile; false if there is none.
   static bool extend(const RoofPart& part,
                      const Segment2& wall,
                      const std::vector<const RoofPart*>& hiding,
@@ -219,7 +221,8 @@ class FaceCollector {
     if (ring.size() > 2) add({std::move(ring)}, FaceKind::kWall, part.building_id);
   }
 
-  /// The ground below the walls of all parts; those of a dormer stand within others.
+  /// Adds the ground below the walls of all parts, merged because the walls of a dormer are within
+  /// those of other parts.
   void add_ground(int building_id) {
     double base_z_m = std::numeric_limits<double>::infinity();
     PlanPolygons plan;
@@ -233,7 +236,7 @@ class FaceCollector {
     for (const PlanPolygon& polygon : plan) {
       auto rings = lifted_rings(polygon, {Eigen::Vector2d::Zero(), base_z_m});
       for (std::vector<Eigen::Vector3d>& ring : rings)
-        std::ranges::reverse(ring);  // its outside is below
+        std::ranges::reverse(ring);  // its outer side faces down
       add(std::move(rings), FaceKind::kGround, building_id);
     }
   }

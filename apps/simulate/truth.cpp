@@ -16,7 +16,8 @@ namespace {
 constexpr double kCorridorM = 1.5;
 constexpr double kOnPlaneM = 0.15;  // more than four standard deviations of the default noise
 
-/// Points by square cells of the plan, so that a corridor is found without a look at all of them.
+/// Points by square cells of the plan, so that those in a corridor are found without testing all of
+/// them.
 class ReturnGrid {
  public:
   ReturnGrid(const std::vector<io::CloudPoint>& points, const Eigen::Vector2d& extent_m)
@@ -63,7 +64,7 @@ class ReturnGrid {
 
 double visible_share(const RayScene& rays, const Segment3& segment) {
   constexpr double kStepM = 0.25;
-  constexpr double kLiftM = 0.01;  // lifts rays off the surfaces that the line borders
+  constexpr double kLiftM = 0.01;  // lifts rays off the surfaces adjacent to the line
   const int samples = 1 + static_cast<int>(length(segment) / kStepM);
   int visible = 0;
   for (int i = 0; i < samples; ++i) {

@@ -25,21 +25,20 @@ struct ViewOptions {
   std::string orientation;  ///< format of write_orientation(); empty: matrices in patch.yaml
 };
 
-/// The file of a view; in an orientation the name of its image.
+/// The file name of a view; also the name of its image in an orientation.
 std::string image_file(const std::string& view_id);
 
 /// Throws std::invalid_argument if a degraded view is not one of `view_ids`, or if views are named
-/// but neither blur, Bayer pattern nor JPEG is set.
+/// but none of blur, Bayer pattern and JPEG is set.
 void check_degraded(const ViewOptions& options, std::span<const std::string> view_ids);
 
 /// The sensor of a view: without blur, Bayer pattern and JPEG unless the view is a degraded one.
 simulate::SensorOptions sensor_of(const ViewOptions& options, const simulate::AerialView& view);
 
-/// The light in which a view is taken: the sun moves on while the views are taken.
+/// The light for a view: the sun moves from view to view.
 simulate::RenderOptions light_of(const ViewOptions& options, const simulate::AerialView& view);
 
-/// The TIFF of a view, which takes its rows from top to bottom as photograph() hands them over;
-/// frames are tiled.
+/// The TIFF of a view, written row by row as photograph() delivers them; frames are tiled.
 class ViewFile {
  public:
   ViewFile(std::string path, const simulate::AerialView& view, const ViewOptions& options);
@@ -50,16 +49,16 @@ class ViewFile {
   std::string path_;
   cv::Size size_px_;
   io::TiffLayout layout_;
-  std::optional<io::TiffWriter> writer_;  ///< from the first rows on, which tell the type
+  std::optional<io::TiffWriter> writer_;  ///< created with the first rows, which determine the type
 };
 
-/// Whole frames are of one camera. Other images are of one each, whose principal point is off the
-/// middle, and which is named after the image, since PAT-B names no cameras.
+/// Whole frames share one camera. Any other image has a camera of its own with an off-centre
+/// principal point, named after the image because PAT-B has no camera names.
 io::Orientation orientation_of(const simulate::SyntheticScene& scene,
                                std::span<const simulate::AerialView> views,
                                bool are_frames);
 
-/// The plan with a margin, on the map: x_min, y_min, x_max, y_max.
+/// The bounds of the plan with a margin, in world coordinates: x_min, y_min, x_max, y_max.
 std::array<double, 4> area_m(const simulate::SyntheticScene& scene, double margin_m);
 
 }  // namespace ridgeline::apps

@@ -21,8 +21,8 @@ namespace {
 
 constexpr double kHalfRowM = kHalfStreetM + kLotSizeM;
 
-/// Streams of random numbers: what one lot bears does not depend on its neighbours.
-constexpr double kParkingShare = 0.5;  ///< of parking among the lots without a house
+/// Separate random streams, so that the content of one lot does not depend on its neighbours.
+constexpr double kParkingShare = 0.5;  ///< share of parking lots among the lots without a house
 
 enum VillageStream : std::uint64_t { kTerrainStream, kLotStream, kClutterStream };
 
@@ -99,7 +99,7 @@ class VillageBuilder {
     }
   }
 
-  /// The foot and the upper edge, lot by lot.
+  /// Adds the foot and the upper edge, lot by lot.
   void add_retaining_wall_lines(const TerrainRow& low,
                                 const TerrainRow& high,
                                 double v_m,
@@ -158,7 +158,7 @@ class VillageBuilder {
     add_house(options_, type, site, random, clutter, scene_);
   }
 
-  /// The azimuth of a house: parallel to x, or along or across the street with some freedom.
+  /// The azimuth of a house: parallel to x, or along or across the street with some variation.
   double house_azimuth_rad(Random& random) const {
     if (random.chance(options_.aligned_share)) return random.chance(0.5) ? 0.0 : std::numbers::pi;
     const double jitter = kRadPerDeg * random.uniform(-8.0, 8.0);
@@ -166,7 +166,7 @@ class VillageBuilder {
     return azimuth_rad_ + quarter + jitter;
   }
 
-  /// Gives the places of the trunks.
+  /// Returns the positions of the trunks.
   std::vector<Eigen::Vector2d> add_trees(const TerrainRow& row,
                                          const Eigen::Vector2d& low_uv,
                                          std::size_t first_building,
@@ -192,8 +192,8 @@ class VillageBuilder {
     return trunks;
   }
 
-  /// Whether a tree may stand at `x`. Its crown may hang over a roof by up to a metre; its trunk
-  /// keeps off the walls.
+  /// Whether a tree may stand at `x`. Its crown may overhang a roof by up to a metre; its trunk
+  /// must be clear of the walls.
   [[nodiscard]] bool is_free(const Eigen::Vector2d& x,
                              double radius_m,
                              std::size_t first_building) const {
@@ -253,7 +253,7 @@ class VillageBuilder {
   Terrain terrain_;
 };
 
-/// The upper edges of all chimneys.
+/// Adds the upper edges of all chimneys.
 void add_chimney_lines(SyntheticScene& scene) {
   for (const ScenePlane& plane : scene.planes) {
     if (plane.kind != PlaneKind::kChimney) continue;

@@ -6,9 +6,9 @@
 namespace ridgeline::simulate {
 namespace {
 
-constexpr double kSightStep_m = 0.1;  ///< distance of the lines of sight along an edge
+constexpr double kSightStep_m = 0.1;  ///< spacing of the lines of sight along an edge
 constexpr double kMaxGap_m = 0.5;     ///< shorter interruptions are closed
-constexpr double kFlank_px = 1.0;     ///< distance from an edge at which its sides are looked at
+constexpr double kFlank_px = 1.0;     ///< distance from an edge at which its sides are sampled
 
 /// Whether a view sees a point of an edge: nothing hides it and its two sides show different
 /// surfaces.
@@ -23,7 +23,7 @@ bool is_seen(const SurfaceOracle& oracle,
   return a && b && !oracle.same_surface(*a, *b);
 }
 
-/// The intervals after gaps shorter than `longest_gap` are closed.
+/// Merges intervals separated by gaps shorter than `longest_gap`.
 std::vector<PlanInterval> closed(const std::vector<PlanInterval>& intervals, double longest_gap) {
   std::vector<PlanInterval> result;
   for (const PlanInterval& interval : intervals) {

@@ -8,26 +8,26 @@
 
 namespace ridgeline::simulate {
 
-/// Least length of the visible part of an edge of the truth in each image.
+/// Minimum length of the visible part of a true edge in each image.
 inline constexpr double kMinShownLength_px = 10.0;
 
-/// Image of a part of an edge.
+/// The image of a part of an edge.
 Segment2 image_of(const SurfaceOracle& oracle,
                   std::size_t view,
                   const Segment3& edge,
                   const PlanInterval& part);
 
-/// Runs of an edge, as parameters of its segment, where one view sees it: nothing lies before it
-/// and the surfaces on its two sides are not the same.
+/// The runs of an edge, as parameters of its segment, that are visible in one view: nothing
+/// occludes them and the surfaces on the two sides differ.
 std::vector<PlanInterval> visible_runs(const SurfaceOracle& oracle,
                                        std::size_t view,
                                        const Segment3& edge);
 
-/// The share of an edge that its runs are.
+/// The share of an edge covered by its runs.
 double total_length(const std::vector<PlanInterval>& runs);
 
-/// How much of each true line each view sees: shares of its length by line, in order of
-/// SyntheticScene::lines, and view.
+/// The visible share of each true line's length, by line, in order of SyntheticScene::lines, and
+/// view.
 std::vector<std::vector<double>> visible_shares(const SyntheticScene& scene,
                                                 const SurfaceOracle& oracle);
 

@@ -7,7 +7,7 @@
 namespace ridgeline::simulate {
 namespace {
 
-constexpr double kOutwardsM = 1e-6;  // walls of neighbours coincide, so what is beside them decides
+constexpr double kOutwardsM = 1e-6;  // walls of neighbours coincide, so points outside are tested
 constexpr double kMinFootLengthM = 0.5;
 constexpr double kTouchingM = 1e-6;  // bodies that only touch do not rise above each other
 
@@ -70,8 +70,8 @@ class FootCollector {
     if (!interval.empty()) add(wall, interval, {face.height, face.plane_id}, face.part);
   }
 
-  /// Adds the pieces of a wall's foot on a surface, that of the part `bearer` or the ground, where
-  /// no other part stands.
+  /// Adds the pieces of a wall's foot on a surface (of the part `bearer`, or the ground) that no
+  /// other part covers.
   void add(const StandingWall& wall, PlanInterval within, const GroundPlane& surface, int bearer) {
     const PlanInterval high = rises_above(wall.part, surface.height, wall.foot);
     within = {std::max(within.begin, high.begin), std::min(within.end, high.end)};

@@ -27,13 +27,14 @@ std::string frame_file(const simulate::AerialView& frame) {
   return "frames/" + image_file(frame.id);
 }
 
-/// A square of the plan (local) and its file, which is named after its corner on the map.
+/// A square of the plan (local) and its file, which is named after the square's corner in world
+/// coordinates.
 struct Tile {
   std::string file;
   Eigen::AlignedBox2d window_m;
 };
 
-/// The tiles in rows from the south-west. They share no point: where one ends, the next begins.
+/// The tiles in rows from the south-west. They are disjoint: the next begins where one ends.
 std::vector<Tile> tiles_of(const simulate::SyntheticScene& scene, int side_m) {
   std::vector<Tile> tiles;
   const auto end_m = [&](int from_m, double extent_m) {
@@ -74,7 +75,7 @@ void write_frames(const simulate::SyntheticScene& scene,
   std::optional<simulate::Renderer> renderer;
   for (const simulate::AerialView& frame : frames) {
     progress.begin(frame_file(frame));
-    // under a sun that stands still, one renderer serves all frames
+    // if the sun does not move, one renderer serves all frames
     if (!renderer || options.flight.sun_step_deg != 0.0) {
       renderer.emplace(scene, light_of(options, frame));
     }
@@ -93,7 +94,7 @@ std::string block_text(const simulate::SyntheticScene& scene,
   const auto add = [&](const char* key, const std::string& value) {
     if (!value.empty()) text += fmt::format("{}: {}\n", key, value);
   };
-  // a string of JSON is one of YAML, whatever is in it
+  // any JSON string is also a valid YAML string
   add("block", nlohmann::json(block_id).dump());
   add("crs", nlohmann::json(scene.crs.definition).dump());
   add("orientation", files.orientation);

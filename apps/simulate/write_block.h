@@ -12,7 +12,8 @@
 
 namespace ridgeline::apps {
 
-/// The frames of a block. Throws std::invalid_argument if fewer than two show a place of its area.
+/// The frames of a block. Throws std::invalid_argument if any place of its area is shown by fewer
+/// than two of them.
 std::vector<simulate::AerialView> block_frames(const simulate::SyntheticScene& scene,
                                                const SimulateArguments& arguments);
 
@@ -21,9 +22,9 @@ std::vector<std::string> block_file_names(const simulate::SyntheticScene& scene,
                                           std::span<const simulate::AerialView> frames,
                                           const SimulateArguments& arguments);
 
-/// Writes a block: the LIDAR in tiles, the orientation, the frames, with fittings in the village,
-/// and block.yaml, which names them and truth.geojson. One tile and some rows of a frame are in
-/// memory at a time. Returns the number of laser points.
+/// Writes a block: the LIDAR tiles, the orientation, the frames, which show the village with
+/// fittings, and block.yaml, which refers to these and truth.geojson. Only one tile or some rows of
+/// a frame are in memory at a time. Returns the number of laser points.
 std::size_t write_block(const simulate::SyntheticScene& bare_scene,
                         std::span<const simulate::AerialView> frames,
                         const std::string& block_id,

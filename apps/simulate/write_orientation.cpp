@@ -78,7 +78,7 @@ const WrittenFormat& format_named(std::string_view name) {
   return formats().front();
 }
 
-/// All formats take such names without quotes and escapes.
+/// Names that are valid in all formats without quoting or escaping.
 void check_name(const std::string& name) {
   const bool is_plain = std::ranges::all_of(name, [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-';
@@ -96,7 +96,7 @@ void check_camera(const io::Camera& camera) {
       "camera ", camera.name, ", must have one focal length and no distortion");
 }
 
-/// PAT-B names no cameras.
+/// PAT-B has no camera names.
 void check_cameras_by_image(const io::Orientation& orientation) {
   const bool by_image =
       std::ranges::all_of(orientation.images, [&](const io::OrientedImage& image) {

@@ -12,7 +12,7 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// Millimetres are a matter of scale: pixels of the DMC's size.
+/// The scale in millimetres is arbitrary: the pixel size of the DMC.
 constexpr double kPixelMm = 0.012;
 
 std::string inpho_camera(const io::Camera& camera) {

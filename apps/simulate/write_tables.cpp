@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Formats of rows of numbers: omega, phi and kappa; PAT-B; Pix4D; COLMAP.
+// Formats that consist of rows of numbers: omega, phi and kappa; PAT-B; Pix4D; COLMAP.
 #include "apps/simulate/orientation_writers.h"
 #include "io/orientation/conventions.h"
 
@@ -13,7 +13,7 @@ std::string x_y_z(const Eigen::Vector3d& x, const char* separator) {
   return fmt::format("{}{}{}{}{}", x.x(), separator, x.y(), separator, x.z());
 }
 
-/// Whole metres near the images, which Pix4D takes off all coordinates.
+/// An offset in whole metres near the images, which Pix4D subtracts from all coordinates.
 Eigen::Vector3d offset_of_block_m(const io::Orientation& orientation) {
   return orientation.images.front().exterior.position_m.array().floor();
 }
@@ -37,7 +37,7 @@ std::string pat_b_text(const io::Orientation& orientation) {
   for (const io::OrientedImage& image : orientation.images) {
     const Eigen::Vector3d& x = image.exterior.position_m;
     const Eigen::Matrix3d& m = image.exterior.world_from_camera_axes;
-    // more digits than the columns of old programs have, so that nothing is lost
+    // more digits than the columns of old programs have, so that no precision is lost
     text += fmt::format("{:>20}{:22.9f}{:22.9f}{:22.9f}\n", image.name, x.x(), x.y(), x.z());
     text += fmt::format("{:20.15f}{:20.15f}{:20.15f}{:20.15f}{:20.15f}\n", m(0, 0), m(0, 1),
                         m(0, 2), m(1, 0), m(1, 1));
@@ -89,7 +89,7 @@ std::string colmap_images_text(const io::Orientation& orientation) {
   for (std::size_t i = 0; i < orientation.images.size(); ++i) {
     const io::OrientedImage& image = orientation.images[i];
     const Eigen::Quaterniond q(cam_from_world(image.exterior));
-    // of the rotation that the rounded quaternion is, so that the centre is kept
+    // uses the rotation of the rounded quaternion, so that the centre is preserved
     const Eigen::Vector3d t = -(q.normalized().toRotationMatrix() * image.exterior.position_m);
     text += fmt::format("{} {} {} {} {} {}\n\n", i + 1, q.w(), x_y_z(q.vec(), " "), x_y_z(t, " "),
                         *image.camera + 1, image.name);

@@ -24,10 +24,10 @@ constexpr const char* kMatchesFile = "matches.csv";
 constexpr const char* kTracksFile = "tracks.csv";
 constexpr const char* kPatchFile = "patch.yaml";
 
-/// Two views have matches and no more.
+/// Two views have matches only.
 bool have_tracks(std::size_t num_views) { return num_views > 2; }
 
-/// Writes the image of a view and returns what it shows of the village.
+/// Writes the image of a view and returns the part that shows the village.
 simulate::ImageWindow write_image(const simulate::SyntheticScene& scene,
                                   const simulate::AerialView& view,
                                   const ViewOptions& options,

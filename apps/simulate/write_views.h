@@ -15,11 +15,11 @@ namespace ridgeline::apps {
 std::vector<std::string> view_file_names(const ViewOptions& options);
 
 /// Renders all views of a scene, with its fittings, and writes an image ID.tif of each, matches.csv
-/// (the true matches of the first two), of three and more tracks.csv (the true tracks), the
-/// orientation, and patch.yaml, which names lidar.las and truth.geojson too and of whole frames the
-/// area of the village. Returns `truth`, the true lines in order of SyntheticScene::lines, with
-/// their class by these cameras, the shares that the first two views see and, of three and more,
-/// how many see half of the line or more.
+/// (the true matches of the first two), for three or more views tracks.csv (the true tracks), the
+/// orientation if a format is set, and patch.yaml, which also refers to lidar.las and truth.geojson
+/// and, for whole frames, states the area of the village. Returns `truth`, the true lines in order
+/// of SyntheticScene::lines, with their class for these cameras, their visible shares in the first
+/// two views and, for three or more views, the number of views that see at least half of the line.
 io::LineSet write_views(const simulate::SyntheticScene& bare_scene,
                         const std::string& patch_id,
                         const ViewOptions& options,

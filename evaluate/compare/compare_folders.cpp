@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What of result folders is compared with what, and whether it got worse.
+// Selects what to compare in results folders, and whether it got worse.
 #include "evaluate/compare/comparison.h"
 #include "evaluate/statistics/product_method.h"
 #include "reconstruct/geometry/check.h"
@@ -28,7 +28,7 @@ const Evaluation* counterpart(const Evaluation& e,
   const std::vector<const Evaluation*> own = of_patch(of);
   const std::vector<const Evaluation*> others = of_patch(other);
   if (own.size() == 1 && others.size() == 1) return others[0];
-  // runs of different methods are compared by what they are for
+  // runs without a common method are compared by their main results
   const bool share_a_method = std::ranges::any_of(own, [&](const Evaluation* x) {
     return std::ranges::find(others, x->method, &Evaluation::method) != others.end();
   });
@@ -38,8 +38,8 @@ const Evaluation* counterpart(const Evaluation& e,
   return others[product_index(others, &Evaluation::method)];
 }
 
-/// Whether `joint` may have adjusted lines to faces. It is taken to have done so in a run whose
-/// options are not known, so that a difference from direct is no sign of a defect there.
+/// Whether `joint` may have adjusted lines to faces. This is assumed for a run with unknown
+/// options, so that a difference from direct does not count as a defect.
 bool may_adjust_to_faces(const ResultFolder& folder) {
   return folder.joint_adjusts_to_faces.value_or(true);
 }
@@ -49,7 +49,7 @@ std::optional<std::size_t> n_views_of(const ResultFolder& folder, const std::str
   return found == folder.n_views.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Whether lines with the same id are of the same segments.
+/// Whether lines with the same id were reconstructed from the same segments.
 bool have_same_ids(const ResultFolder& a, const ResultFolder& b, const std::string& patch) {
   const auto of_a = a.id_hashes.find(patch);
   const auto of_b = b.id_hashes.find(patch);
@@ -57,7 +57,8 @@ bool have_same_ids(const ResultFolder& a, const ResultFolder& b, const std::stri
          n_views_of(a, patch) == n_views_of(b, patch);
 }
 
-/// Whether it is known where the lines lie; older folders tell it of lines from images only.
+/// Whether the positions of the lines are known; older folders only contain those of lines from
+/// images.
 bool are_placed(const Evaluation& e) {
   return std::ranges::all_of(e.lines, [](const LineEvaluation& line) {
     return line.status != Status::kEvaluated || line.segment;

@@ -16,11 +16,11 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// The common lines, with the cluster of each.
+/// The common lines and their clusters.
 struct Pairs {
   std::vector<PairedLine> lines;
   std::vector<std::size_t> clusters;
-  std::vector<std::size_t> members_a, members_b;  ///< of each evaluation
+  std::vector<std::size_t> members_a, members_b;  ///< indices in each evaluation
 };
 
 using LineById = std::map<std::string, const LineEvaluation*>;
@@ -47,7 +47,7 @@ void add_pair(
   pairs.members_b.push_back(k);
 }
 
-/// The same with the clusters of A.
+/// Adds the clusters of A to the pairs.
 Pairs with_clusters(Pairs pairs, const Evaluation& a) {
   const std::vector<std::size_t> labels = cluster_labels(a.lines);
   for (const std::size_t i : pairs.members_a) pairs.clusters.push_back(labels[i]);
@@ -65,7 +65,7 @@ Pairs pair_lines(const Evaluation& a, const Evaluation& b) {
   return with_clusters(std::move(pairs), a);
 }
 
-/// The lines that are evaluated and whose place is known, and where they are.
+/// The evaluated lines with known positions.
 struct PlacedLines {
   std::vector<std::size_t> members;
   std::vector<Segment3> segments;
@@ -93,7 +93,7 @@ Pairs pair_lines_in_space(const Evaluation& a, const Evaluation& b) {
   return with_clusters(std::move(pairs), a);
 }
 
-/// The evaluation with the class by the base pair as that of each line that has one.
+/// Uses the class in the base pair for each line that has one.
 Evaluation with_base_classes(Evaluation e) {
   for (LineEvaluation& line : e.lines) {
     if (!line.class_base.empty()) line.line_class = line.class_base;
@@ -167,7 +167,7 @@ void count_changes(const Pairs& pairs, PairedSummary& summary) {
   }
 }
 
-/// Without the lines that no edge shows; the figures stay those of all lines.
+/// Removes the lines without a visible edge; the figures remain those of all lines.
 Evaluation of_edges(Evaluation e) {
   std::erase_if(e.lines,
                 [&](const LineEvaluation& line) { return is_of_planes(e.method, line.id); });
@@ -242,7 +242,7 @@ std::size_t count_differing(const LineById& a, const LineById& b) {
   return n;
 }
 
-/// The evaluated lines that are in no pair, by their distance.
+/// Counts the unpaired evaluated lines by distance.
 CountsByDistance alone(const Evaluation& e, std::span<const std::size_t> paired) {
   const std::set<std::size_t> has_partner(paired.begin(), paired.end());
   CountsByDistance counts{};
@@ -295,7 +295,8 @@ Comparison compare(const Evaluation& a,
   const Evaluation edges_b = of_edges(b);
   Comparison result = comparison_of(edges_a, edges_b, pair_lines(edges_a, edges_b),
                                     std::move(name_a), std::move(name_b));
-  const bool is_moved = !moved_note(a).empty() || !moved_note(b).empty();  // each by its own shift
+  const bool is_moved =
+      !moved_note(a).empty() || !moved_note(b).empty();  // each side by its own shift
   if (!joint_adjusts_to_faces && !is_moved && is_direct_and_joint(a.method, b.method)) {
     result.n_not_aligned_differing = count_differing(evaluated_by_id(a), evaluated_by_id(b));
   }

@@ -26,7 +26,7 @@ std::optional<double> rms(double sum_squares, std::size_t n) {
   return mean ? std::optional(std::sqrt(*mean)) : std::nullopt;
 }
 
-/// The rows and, if there are several patches, the sums of each run over them.
+/// The rows and, for several patches, the sums of each run over all patches.
 std::vector<MatcherFigures> with_pooled(std::span<const MatcherFigures> rows) {
   std::vector<MatcherFigures> all(rows.begin(), rows.end());
   const bool several = std::any_of(rows.begin(), rows.end(), [&](const MatcherFigures& row) {
@@ -47,7 +47,7 @@ std::vector<MatcherFigures> with_pooled(std::span<const MatcherFigures> rows) {
   return all;
 }
 
-/// The figures of Table 1, then what each run finds that the others miss, accuracy and coverage.
+/// The figures of Table 1, then the matches that only one run finds, accuracy and coverage.
 PrintedTable table_of(std::span<const MatcherFigures> rows) {
   PrintedTable table({"patch", "run", "matcher"},
                      {{"matches:", "correct:", "false:", "missed:", "correctness %:",

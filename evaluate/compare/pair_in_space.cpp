@@ -21,7 +21,8 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// How far apart two segments are where they run side by side; nothing unless they are of one line.
+/// The distance between two segments where they run side by side; std::nullopt unless they may show
+/// the same line.
 std::optional<double> gap_m(const Segment3& a, const Segment3& b) {
   const Eigen::Vector3d along = a.end - a.start;
   const Eigen::Vector3d across = b.end - b.start;
@@ -50,8 +51,8 @@ struct PossiblePair {
   double gap_m;
 };
 
-/// Candidates that share segments, directly or by others, together; in the order of their first
-/// ones.
+/// Groups of candidates that share segments, directly or through others, in the order of their
+/// first candidates.
 std::vector<std::vector<PossiblePair>> groups_of(const std::vector<PossiblePair>& candidates,
                                                  std::size_t n_a,
                                                  std::size_t n_b) {
@@ -72,9 +73,9 @@ std::vector<std::vector<PossiblePair>> groups_of(const std::vector<PossiblePair>
   return groups;
 }
 
-/// Minimises the sum of the costs of one column for each row by the Hungarian method with
-/// potentials (Kuhn 1955; Jonker and Volgenant 1987), for at most as many rows as columns. Returns
-/// the column of each row.
+/// Assigns a different column to each row so that the sum of costs is smallest, using the Hungarian
+/// method with potentials (Kuhn 1955; Jonker and Volgenant 1987). There must not be more rows than
+/// columns. Returns the column of each row.
 std::vector<std::size_t> cheapest_columns(const Eigen::MatrixXd& costs) {
   const auto n = static_cast<std::size_t>(costs.rows()), m = static_cast<std::size_t>(costs.cols());
   // row and column 0 stand for "none"
@@ -116,7 +117,7 @@ std::vector<std::size_t> cheapest_columns(const Eigen::MatrixXd& costs) {
   return columns;
 }
 
-/// The closest ones of a group first, each segment once.
+/// Pairs the closest segments of a group first, each segment once.
 std::vector<std::pair<std::size_t, std::size_t>> nearest_first(std::vector<PossiblePair> group) {
   std::ranges::sort(group, {}, [](const PossiblePair& c) { return std::tuple(c.gap_m, c.a, c.b); });
   std::set<std::size_t> taken_a, taken_b;
@@ -130,8 +131,8 @@ std::vector<std::pair<std::size_t, std::size_t>> nearest_first(std::vector<Possi
   return pairs;
 }
 
-/// The pairs of a group with the smallest sum of gaps, where a segment of a without a partner
-/// counts kMaxPairDistance_m.
+/// The pairs of a group with the smallest sum of gaps, with kMaxPairDistance_m for a segment of `a`
+/// without a partner.
 std::vector<std::pair<std::size_t, std::size_t>> assignment(
     const std::vector<PossiblePair>& group) {
   if (group.size() == 1) return {{group[0].a, group[0].b}};

@@ -15,7 +15,7 @@ bool is_file(const std::string& path_or_pattern) {
   return fs::exists(path_or_pattern, ignored);  // a file may be named "tile[1].las"
 }
 
-/// The folder of a file; for a pattern the part of its folder before the first wildcard.
+/// The folder of a file; for a pattern, the part of its folder before the first wildcard.
 fs::path folder_of(const std::string& path_or_pattern) {
   fs::path folder = fs::absolute(path_or_pattern).lexically_normal().parent_path();
   if (is_file(path_or_pattern)) return folder;

@@ -6,10 +6,11 @@
 
 namespace ridgeline::results {
 
-/// What to call the patch of a cloud that no patch file names. A single file gives its name without
-/// extension. Several files, or a pattern, give the name of the deepest folder that holds them all,
-/// without the folders that a pattern leaves open: `tiles/*.laz` gives tiles, `*/x.laz` the current
-/// folder. The name is `cloud` if only the root of the file system holds them all.
+/// The default name of a patch that is judged without a patch file. For a single cloud file it is
+/// the file name without its extension. For several files or a pattern it is the name of the
+/// deepest folder that contains them all, ignoring folders matched by a wildcard: `tiles` for
+/// `tiles/*.laz`, the current folder for `*/x.laz`. It is `cloud` if only the root of the file
+/// system contains them all.
 std::string cloud_name(const std::vector<std::string>& paths_or_patterns);
 
 }  // namespace ridgeline::results

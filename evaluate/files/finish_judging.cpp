@@ -23,7 +23,8 @@ namespace {
 
 using evaluate::Evaluation;
 
-/// "[CRS] x 1..2, y 3..4, z 5..6 (unit 0.3048 m)" of a box in metres, shown in the file's units.
+/// "[CRS] x 1..2, y 3..4, z 5..6 (unit 0.3048 m)" for a box in metres, printed in the units of the
+/// file.
 std::string bounds_text(const io::Crs& crs,
                         const Eigen::AlignedBox3d& box_m,
                         const Eigen::Vector3d& unit_m) {
@@ -37,7 +38,8 @@ std::string bounds_text(const io::Crs& crs,
                      high.x(), low.y(), high.y(), low.z(), high.z(), unit);
 }
 
-/// A hint at another unit if the lines would lie in the cloud's plan with it; "" if there is none.
+/// A hint at another unit with which the lines would lie in the cloud's plan extent; "" if there is
+/// none.
 std::string unit_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBox3d& cloud_m) {
   struct MisreadUnit {
     const char* name;
@@ -69,8 +71,8 @@ std::string unit_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBo
   return "";
 }
 
-/// A hint at exchanged or turned axes if the lines would lie in the cloud's plan with them; "" if
-/// there is none.
+/// A hint at swapped or negated axes with which the lines would lie in the cloud's plan extent; ""
+/// if there is none.
 std::string axis_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBox3d& cloud_m) {
   struct Axes {
     const char* change;
@@ -95,7 +97,7 @@ std::string axis_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBo
       right->change);
 }
 
-/// A clause on a shift that all lines have; "" if there is none.
+/// A clause about a common shift of all lines; "" if there is none.
 std::string shift_hint(const std::optional<evaluate::ConstantShift>& shift) {
   if (!shift || !shift->is_significant()) return "";
   return fmt::format("; all lie beside it by the same shift, {}{}{} (`apply_shift` takes it away)",
@@ -197,8 +199,8 @@ Evaluation evaluation_of(const io::LineSet& set,
   return evaluate::with_summaries(std::move(evaluation));
 }
 
-/// Adds the warnings of the cloud in front of those of cloud and lines together, and the warnings
-/// of the lines behind.
+/// Adds the warnings of the cloud before those about cloud and lines together, and the warnings of
+/// the lines after them.
 void add_warnings(const io::PointCloud& cloud, JudgedFiles& judged) {
   judged.warnings.insert(judged.warnings.begin(), cloud.warnings.begin(), cloud.warnings.end());
   for (const io::LineSet& set : judged.line_sets) {
@@ -235,7 +237,7 @@ JudgedFiles finish_judging(PreparedLines prepared,
   judged.cloud_crs = cloud.crs();
   judged.cloud_unit_m = cloud.unit_m();
   if (options.judge.keep_points) {
-    judged.points = evaluate::plane_points(batches.results.front());  // of the only line file
+    judged.points = evaluate::plane_points(batches.results.front());  // there is only one line file
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     judged.planes.push_back(evaluate::judged_planes(batches.results[i]));

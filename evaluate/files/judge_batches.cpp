@@ -26,16 +26,16 @@ struct LineRef {
 using Batch = std::vector<LineRef>;
 using LineEvaluations = std::vector<std::vector<evaluate::LineEvaluation>>;
 
-/// The surroundings of lines: nothing else of the cloud is kept.
+/// The surroundings of lines: only these points of the cloud are kept.
 class Surroundings {
  public:
   explicit Surroundings(const evaluate::JudgeOptions& options)
-      // the radius reaches the corners of the zone that a line's planes are fitted in
+      // the radius reaches the corners of the zone in which a line's planes are fitted
       : radius_m_(std::numbers::sqrt2 *
                   std::max(options.fit_half_width_m,
                            options.corridor_half_width_m + options.corridor_end_m)) {}
 
-  /// A line that cannot be judged needs no points, and memory for none.
+  /// A line that cannot be judged needs no points and thus no memory for points.
   void add(const JudgedLine& line) {
     constexpr double kSweep_m = 1.0;
     if (evaluate::refusal_of(line)) return;
@@ -66,9 +66,9 @@ class Surroundings {
   std::vector<Segment2> footprints_;
 };
 
-/// All lines: those about the frame's origin, which is amid the points of the cloud, and those far
-/// from it. A few lines that a wrong coordinate has put elsewhere would make the raster around all
-/// of them coarse.
+/// All lines, divided into those near the frame's origin, which is amid the points of the cloud,
+/// and those far from it. A few lines with wrong coordinates would otherwise make the raster around
+/// all lines coarse.
 std::pair<Batch, Batch> near_and_far(const LineSets& lines) {
   constexpr double kFar_m = 3e5;
   const auto is_near = [](const Segment3& s) {
@@ -88,7 +88,7 @@ evaluate::JudgeOptions without_points(evaluate::JudgeOptions options) {
   return options;
 }
 
-/// Adds the readings of another batch to those of all.
+/// Adds the readings of one batch to the total.
 void add(CloudReadings part, CloudReadings& sum) {
   sum.n_batches += part.n_batches;
   sum.n_kept += part.n_kept;
@@ -112,7 +112,7 @@ void add(CloudReadings part, CloudReadings& sum) {
 
 class BatchedJudge {
  public:
-  /// From `first_decoys` on the sets of lines are decoys.
+  /// The sets of lines from `first_decoys` on are decoys.
   BatchedJudge(io::CloudFiles& cloud,
                const LineSets& lines,
                std::size_t first_decoys,
@@ -177,7 +177,7 @@ class BatchedJudge {
     return evaluate::in_range(segment) ? midpoint(plan(segment)) : Eigen::Vector2d::Zero().eval();
   }
 
-  /// The halves of a batch, split at the median across the longer side of the box around the lines'
+  /// The halves of a batch, split at the median along the longer side of the bounding box of the
   /// midpoints.
   [[nodiscard]] std::pair<Batch, Batch> halves(Batch batch) const {
     Eigen::AlignedBox2d box;
@@ -221,7 +221,7 @@ LineSets with_decoys(LineSets lines, const DecoySets& decoys) {
   return lines;
 }
 
-/// Puts the decoys and what became of them together.
+/// Combines the decoys with their results.
 std::vector<std::vector<evaluate::JudgedDecoy>> judged_decoys(DecoySets decoys,
                                                               LineEvaluations results) {
   std::vector<std::vector<evaluate::JudgedDecoy>> judged(decoys.size());
@@ -240,7 +240,7 @@ bool has_points(const evaluate::JudgedResult& result) {
          status == Status::kLowCoverage || status == Status::kAmbiguous;
 }
 
-/// Whether no line has points near it. Those that were read may be near decoys only.
+/// Whether no line has points near it. The points read may only be near decoys.
 bool all_lie_elsewhere(const JudgedBatches& judged) {
   if (judged.readings.n_kept == 0) return true;
   if (judged.decoys.empty()) return false;
@@ -277,7 +277,7 @@ JudgedBatches judge_in_batches(io::CloudFiles& cloud,
   });
   if (!all_lines || !all_lie_elsewhere(judged) || !needs_points || cloud.unread_paths().empty())
     return judged;
-  cloud.distrust_headers();  // before the lines are said to lie elsewhere
+  cloud.distrust_headers();  // before reporting that the lines lie elsewhere
   return judge_once(std::move(decoys));
 }
 

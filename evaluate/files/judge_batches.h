@@ -18,8 +18,7 @@ namespace ridgeline::results {
 using LineSets = std::vector<std::vector<evaluate::JudgedLine>>;
 using DecoySets = std::vector<std::vector<evaluate::Decoy>>;
 
-/// What the readings of a cloud gave, summed over them: a point near the lines of two batches
-/// counts twice.
+/// Totals over all readings of a cloud: a point near the lines of two batches counts twice.
 struct CloudReadings {
   std::size_t n_batches = 0;
   std::uint64_t n_kept = 0;
@@ -27,24 +26,24 @@ struct CloudReadings {
 };
 
 struct JudgedBatches {
-  std::vector<std::vector<evaluate::JudgedResult>> results;  ///< by set, by line
+  std::vector<std::vector<evaluate::JudgedResult>> results;  ///< by set and line
   CloudReadings readings;
   std::vector<std::vector<evaluate::JudgedDecoy>> decoys;  ///< by set; empty if none were made
 };
 
-/// The box in plan around all points that planes of a line can be fitted to; empty for a line that
-/// cannot be judged.
+/// The bounding box in plan of all points that may be used to fit the planes of a line; empty for a
+/// line that cannot be judged.
 Eigen::AlignedBox2d surroundings_of(const evaluate::JudgedLine& line,
                                     const evaluate::JudgeOptions& options);
 
-/// Judges every line by the points near it. If these need more memory than `max_memory_bytes` for
-/// all lines together, the lines are judged in batches of neighbours, halved until their points
-/// fit, and the cloud's files are read for each; the results are the same, bit by bit. The
-/// surroundings of a single line are read whatever they need, with a warning if that is more.
-/// `decoys`: lines made of those of each set, which are judged in the same readings of the cloud;
-/// empty for none. They change no result, but count in the readings. Bounds in headers of the cloud
-/// are not trusted if no line has points near it, unless these are not `all_lines`. Throws IoError
-/// as read_cloud().
+/// Judges every line by the points near it. If the points near all lines need more memory than
+/// `max_memory_bytes`, the lines are judged in batches of neighbours, which are halved until their
+/// points fit, and the cloud's files are read once per batch; the results are bit-identical. The
+/// points near a single line are read even if they exceed the limit, with a warning. `decoys`:
+/// moved copies of the lines, by set, judged in the same readings of the cloud; may be empty. They
+/// do not affect the results of the lines, but their points count in the readings. If no line has
+/// points near it, the bounds in the headers of the cloud are not trusted, unless `all_lines` is
+/// false. Throws IoError under the same conditions as read_cloud().
 JudgedBatches judge_in_batches(io::CloudFiles& cloud,
                                const LineSets& lines,
                                const evaluate::JudgeOptions& options,

@@ -37,7 +37,7 @@ void add_decoys(const std::vector<evaluate::JudgedDecoy>& decoys,
   if (evaluation.area) evaluation.area->decoys = decoys;
   if (decoys.empty()) return;
   const auto& shift = evaluation.shift;
-  // An applied shift has been taken away already, and one that is not significant may be chance.
+  // An applied shift has already been removed, and an insignificant one may be due to chance.
   const bool has_shift = shift && shift->is_significant() && !shift->applied;
   const Eigen::Vector3d shift_m = has_shift ? shift->shift_m : Eigen::Vector3d::Zero().eval();
   std::vector<evaluate::JudgedDecoy> elsewhere;

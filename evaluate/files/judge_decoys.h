@@ -11,16 +11,16 @@
 
 namespace ridgeline::results {
 
-/// Lines that are moved on purpose, of each file; empty if JudgeFilesOptions::n_decoys is 0.
+/// The decoys (lines moved on purpose) of each file; empty if JudgeFilesOptions::n_decoys is 0.
 DecoySets decoys_of(const LineSets& lines, const JudgeFilesOptions& options);
 
-/// Judges the lines as judge_in_batches() does, and beside them lines that were moved on purpose,
-/// unless JudgeFilesOptions::n_decoys is 0. Throws as judge_in_batches().
+/// Judges the lines with judge_in_batches(), together with their decoys unless
+/// JudgeFilesOptions::n_decoys is 0. Throws like judge_in_batches().
 JudgedBatches judge_with_decoys(io::CloudFiles& cloud,
                                 const LineSets& lines,
                                 const JudgeFilesOptions& options);
 
-/// Fills `evaluation` with the figures of its decoys, if there are any. `lines`: what it judged.
+/// Adds the figures of the decoys, if any, to `evaluation`. `lines`: the lines that it judged.
 void add_decoys(const std::vector<evaluate::JudgedDecoy>& decoys,
                 const std::vector<evaluate::JudgedLine>& lines,
                 evaluate::Evaluation& evaluation);

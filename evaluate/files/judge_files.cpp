@@ -20,8 +20,8 @@
 namespace ridgeline::results {
 namespace {
 
-/// Throws IoError, before anything is judged, for a file that is no model though it must be one,
-/// and for an attribute that no model has.
+/// Throws IoError, before anything is judged, for a file that must be a model but is not, and for
+/// an attribute that no model has.
 void check_models(const std::vector<io::LineSet>& sets, const JudgeFilesOptions& options) {
   for (const io::LineSet& set : sets) {
     if (!options.needs_models || set.model) continue;
@@ -42,7 +42,7 @@ void check_models(const std::vector<io::LineSet>& sets, const JudgeFilesOptions&
   }
 }
 
-/// Adds the buildings that were judged to what is kept of the area.
+/// Adds the judged buildings to the record of the area.
 void add_buildings(JudgedFiles& judged, std::size_t i, const std::vector<std::string>& by) {
   evaluate::AreaPart& area = *judged.evaluations[i].area;
   for (const std::size_t number : judged.models[i]->places) {
@@ -54,7 +54,7 @@ void add_buildings(JudgedFiles& judged, std::size_t i, const std::vector<std::st
   }
 }
 
-/// Judges the buildings of those line files that are models.
+/// Judges the buildings of all line files that are models.
 void judge_models(io::CloudFiles& cloud,
                   const JudgeFilesOptions& options,
                   RunRecord& record,

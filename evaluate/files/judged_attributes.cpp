@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kPrefix = "ridgeline_";
 
-/// The columns of the figures with our prefix, which no column of a model has by chance.
+/// The columns of the figures with our prefix, which avoids clashes with columns of a model.
 std::vector<io::Column> prefixed_columns() {
   std::vector<io::Column> columns = building_columns();
   for (io::Column& column : columns) column.name = kPrefix + column.name;
@@ -34,7 +34,7 @@ bool is_json(const std::string& file) {
   return lower.ends_with(".json") || lower.ends_with(".jsonl");
 }
 
-/// Nothing if buildings of the file share an id.
+/// std::nullopt if buildings of the file share an id.
 std::optional<std::string> city_json(const io::LineSet& set, const JudgedModel& model) {
   io::BuildingValues values;
   for (std::size_t b = 0; b < model.rows.size(); ++b)
@@ -42,7 +42,8 @@ std::optional<std::string> city_json(const io::LineSet& set, const JudgedModel& 
   return io::with_attributes(set.path, io::text_of_model(set.path), prefixed_columns(), values);
 }
 
-/// The settled model, with the figures behind the attributes of its file.
+/// The model with its reference system, and with the figures appended to the attributes of its
+/// file.
 io::BuildingModel with_figures(const io::LineSet& set,
                                const JudgedModel& judged,
                                const io::Crs& cloud_crs) {

@@ -35,7 +35,7 @@ std::string class_of(const io::Line& line,
   return *epipolar_angle_deg <= max_aligned_angle_deg ? "aligned" : "not_aligned";
 }
 
-/// The segments that the images of the patch show of a line.
+/// The segments of a line in the images of the patch.
 std::vector<ImageObservation> seen_segments(const io::Line& line,
                                             const LocalFrame& frame,
                                             const io::Patch& patch) {
@@ -48,16 +48,16 @@ std::vector<ImageObservation> seen_segments(const io::Line& line,
   return seen;
 }
 
-/// How well two images tell where a line lies: how far its segments are across the epipolar lines,
-/// pixels.
+/// How well two images determine the position of a line: the extent of its segments across the
+/// epipolar lines, pixels.
 double across_epipolar_px(const ImageObservation& a, const ImageObservation& b) {
   if (a.image_from_local == b.image_from_local) return -1.0;
   const std::array cameras{a.image_from_local, b.image_from_local};
   return std::sin(epipolar_angle_rad(cameras, a.px, b.px)) * std::min(length(a.px), length(b.px));
 }
 
-/// The image segments of a line that states them: that of its first image, then that of the image
-/// that together with it determines best where the line lies, then the others.
+/// The image segments stored with a line: that of its first image, then that of the image that,
+/// together with the first, best determines the position of the line, then the others.
 std::optional<evaluate::ImageEvidence> evidence_of(const io::Line& line,
                                                    const LocalFrame& frame,
                                                    const std::optional<io::Patch>& patch) {
@@ -98,7 +98,7 @@ JudgedLine judged_line(const io::Line& line,
   return judged;
 }
 
-/// The inside of the only roof face of an edge, in plan.
+/// The inward direction, in plan, of the only roof face at an edge.
 std::optional<Eigen::Vector2d> inside_of_border(const io::Line& line,
                                                 const io::BuildingModel& model) {
   if (line.plane_ids.size() != 1) return std::nullopt;

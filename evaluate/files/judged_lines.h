@@ -15,49 +15,47 @@
 
 namespace ridgeline::results {
 
-/// Metres on the ground per coordinate unit, by axis: those of the CRS if it is known, else those
-/// that the set states, else 1.
+/// Metres on the ground per coordinate unit, by axis: from the CRS if it is known, else as stated
+/// by the set, else 1.
 Eigen::Vector3d unit_m_of(const io::LineSet& set);
 
-/// All image segments that a line states; those of the first two images if the line states no
-/// others.
+/// All image segments stored with a line; those of the first two images if it has no others.
 std::vector<io::LineObservation> observations_of(const io::Line& line,
                                                  const std::vector<io::PatchImage>& images);
 
-/// A line of a file in metres of the local frame; `unit_m` is unit_m_of() the file.
+/// A line of a file, in metres in the local frame; `unit_m`: unit_m_of() of the file.
 Segment3 segment_in_local(const io::Line& line,
                           const Eigen::Vector3d& unit_m,
                           const LocalFrame& frame);
 
-/// The lines with their coordinates in metres. They have no CRS and unit, since these have been
-/// applied.
+/// The lines with their coordinates in metres, without CRS and unit, which have been applied.
 io::LineSet in_metres(io::LineSet set);
 
-/// The lines of a file in metres of the local frame. Lines without a class get one by the patch's
-/// cameras: `aligned` up to `max_aligned_angle_deg`, else `not_aligned`. Lines that state their
-/// image segments take these along as evidence.
+/// The lines of a file, in metres in the local frame. Lines without a class are classified with the
+/// patch's cameras: `aligned` up to `max_aligned_angle_deg`, else `not_aligned`. Image segments
+/// stored with the lines are kept as evidence.
 std::vector<evaluate::JudgedLine> judged_lines_of(
     const io::LineSet& set,
     const LocalFrame& frame,
     const std::optional<io::Patch>& patch,
     double max_aligned_angle_deg = kMaxAlignedAngle_deg);
 
-/// The lines moved by `by_m`, with the cameras and heights of their evidence, so that images show
-/// them where they did.
+/// The lines moved by `by_m`, along with the cameras and heights of their evidence, so that their
+/// image positions do not change.
 std::vector<evaluate::JudgedLine> moved(std::vector<evaluate::JudgedLine> lines,
                                         const Eigen::Vector3d& by_m);
 
 /// The lines of a file moved by `by_m`, in its coordinates.
 io::LineSet moved(io::LineSet set, const Eigen::Vector3d& by_m);
 
-/// The true lines of a file; lines with a coordinate that is not finite are left out. Throws
-/// IoError if none is left, or for a line that is not in_range().
+/// The true lines of a file; lines with a non-finite coordinate are left out. Throws IoError if
+/// none remains, or for a line that is not in_range().
 std::vector<evaluate::ReferenceLine> reference_lines_of(const io::LineSet& set,
                                                         const LocalFrame& frame);
 
-/// The figures of a line file beside its distances from LIDAR planes.
+/// The figures of a line file other than its distances from LIDAR planes.
 struct TruthRows {
-  std::vector<evaluate::ToleranceRow> tolerances;  ///< against planes, and against lines if given
+  std::vector<evaluate::ToleranceRow> tolerances;  ///< against planes and any reference lines
   std::vector<evaluate::ReferenceRow> references;  ///< empty without reference lines
 };
 

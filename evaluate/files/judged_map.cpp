@@ -46,7 +46,7 @@ Value sigma_of(const LineEvaluation& e) {
   return number(std::hypot(e.sigma_line_m.value_or(0.0), *e.sigma_plane_m));
 }
 
-/// A judged line with what is known of it.
+/// A judged line with its data for the map.
 struct JudgedMapLine {
   const LineEvaluation& e;
   const io::Line& line;
@@ -100,7 +100,7 @@ const std::vector<LineField>& line_fields() {
   return fields;
 }
 
-/// A deviation in whole centimetres, rounded up so that it never looks better than it is.
+/// A deviation in whole centimetres, rounded up so that it never looks too good.
 Value centimetres(std::optional<double> x_m) {
   if (!x_m || !std::isfinite(*x_m)) return {};
   return integer(static_cast<std::int64_t>(std::ceil(std::abs(*x_m) * 100.0)));
@@ -128,7 +128,7 @@ const std::vector<LineField>& fkb_fields() {
   return fields;
 }
 
-/// Columns that only lines have that were moved before they were judged.
+/// Additional columns of lines that were moved before they were judged.
 const std::vector<LineField>& moved_fields() {
   static const std::vector<LineField> fields{
       {"moved_x_m", ColumnType::kReal, [](const auto& m) { return number(m.moved_m.x()); }},
@@ -137,7 +137,7 @@ const std::vector<LineField>& moved_fields() {
   return fields;
 }
 
-/// Columns that only the edges of models of buildings have.
+/// Additional columns of the edges of building models.
 const std::vector<LineField>& model_fields() {
   static const std::vector<LineField> fields{
       {"building", ColumnType::kText, [](const auto& m) { return text(m.line.building); }},
@@ -165,7 +165,7 @@ std::vector<LineField> fields_of(const io::LineSet& set,
 
 double normal_part(const JudgedPlane& p, int axis) { return p.plane.normal()[axis]; }
 
-/// Direction of steepest descent from north, clockwise; nothing for a level plane.
+/// Direction of steepest descent, clockwise from north; std::nullopt for a level plane.
 std::optional<double> aspect_deg(const Plane3& plane) {
   const Eigen::Vector3d n = plane.normal();
   if (n.x() == 0.0 && n.y() == 0.0) return std::nullopt;
@@ -203,7 +203,7 @@ const std::vector<VectorField>& vector_fields() {
   return fields;
 }
 
-constexpr std::size_t kMaxInputColumns = 1900;  // of the 2000 that a table of SQLite has room for
+constexpr std::size_t kMaxInputColumns = 1900;  // an SQLite table has room for 2000
 
 std::vector<Column> input_columns(const io::LineSet& set, const std::vector<LineField>& fields) {
   std::vector<Column> columns = renamed(set.features.columns, columns_of(fields));

@@ -21,7 +21,7 @@ namespace {
 
 using evaluate::RoofBuilding;
 
-/// The faces of all buildings, with the numbers of their roof faces in the model.
+/// The faces of all buildings, with the indices of their roof faces in the model.
 JudgedModel roofs_of(const io::LineSet& set, const Eigen::Vector3d& by_m, const LocalFrame& frame) {
   const io::BuildingModel& model = *set.model;
   const Eigen::Vector3d unit_m = unit_m_of(set);
@@ -63,7 +63,7 @@ std::vector<T> picked(const std::vector<std::size_t>& places, std::vector<T> all
   return transformed(places, [&](std::size_t i) { return std::move(all[i]); });
 }
 
-/// The buildings at these places.
+/// The buildings at these indices.
 JudgedModel picked(const std::vector<std::size_t>& places, JudgedModel all) {
   return {.buildings = picked(places, std::move(all.buildings)),
           .places = places,
@@ -85,7 +85,7 @@ class ModelJudge {
     judged.points.resize(judged.buildings.size());
   }
 
-  /// Judges the buildings at these places.
+  /// Judges the buildings at these indices.
   void judge(std::vector<std::size_t> places) {
     for (const std::size_t i : places)
       if (boxes_[i].isEmpty()) judge_without_points(i);
@@ -125,7 +125,7 @@ class ModelJudge {
         evaluate::judge_faces(nothing, std::span(&judged_.buildings[i], 1), options_).front());
   }
 
-  /// All places that the judge of these buildings may look at.
+  /// The area from which points may be needed to judge these buildings.
   [[nodiscard]] io::PlanMask mask_of(const std::vector<std::size_t>& members) const {
     constexpr double kRow_m = 4.0;
     std::vector<Segment2> rows;
@@ -142,8 +142,8 @@ class ModelJudge {
 
   [[nodiscard]] double neighbour_reach_m() const { return 2.0 * evaluate::kFaceReach_m; }
 
-  /// Divides a group at the median across the longer side of its box; returns the size of the first
-  /// half.
+  /// Divides a group at the median along the longer side of its bounding box; returns the size of
+  /// the first half.
   std::size_t halve(std::span<std::size_t> group) const {
     Eigen::AlignedBox2d all;
     for (const std::size_t i : group) all.extend(boxes_[i].center());
@@ -154,8 +154,8 @@ class ModelJudge {
     return half;
   }
 
-  /// The group, then the buildings whose planes its faces need: those in reach, and those in reach
-  /// of these, as a plane depends on the planes around it.
+  /// The group, followed by the buildings whose planes its faces need: those within reach, and
+  /// those within reach of these, because a plane depends on the planes around it.
   [[nodiscard]] std::vector<std::size_t> with_neighbours(std::span<const std::size_t> group) const {
     std::vector<std::size_t> members(group.begin(), group.end());
     std::vector<bool> is_in(boxes_.size(), false);

@@ -17,21 +17,21 @@
 
 namespace ridgeline::results {
 
-/// The buildings of a model by their roof faces, judged; local metres.
+/// The judged roof faces of a model, by building; local metres.
 struct JudgedModel {
   std::vector<evaluate::RoofBuilding> buildings;  ///< in the order of the model
-  std::vector<std::size_t> places;                ///< of the buildings in LineSet::model
-  std::vector<std::vector<std::size_t>> numbers;  ///< of their roof faces in LineSet::model
+  std::vector<std::size_t> places;                ///< indices of the buildings in LineSet::model
+  std::vector<std::vector<std::size_t>> numbers;  ///< indices of their roof faces there
   std::vector<std::vector<evaluate::FaceEvaluation>> faces;  ///< of each building
   std::vector<evaluate::PointDistances> points;              ///< of each building
   std::vector<evaluate::BuildingRow> rows;                   ///< of each building
 };
 
-/// Judges the roof faces of a model whose edges were judged as lines: `set` as it was read, or
-/// moved before as `evaluation.shift` says. The points over the faces are read anew, for groups of
+/// Judges the roof faces of a model whose edges were judged as lines. `set`: as read, or already
+/// moved according to `evaluation.shift`. The points over the faces are read again, for groups of
 /// neighbouring buildings if they need more memory than `max_memory_bytes`; the results do not
-/// depend on the groups. `only`: the places of the buildings that are judged, ascending; default:
-/// all. Throws IoError as read_cloud().
+/// depend on the grouping. `only`: the indices of the buildings to judge, ascending; default: all.
+/// Throws IoError under the same conditions as read_cloud().
 JudgedModel judge_model(io::CloudFiles& cloud,
                         const io::LineSet& set,
                         const evaluate::Evaluation& evaluation,

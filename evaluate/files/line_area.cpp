@@ -17,7 +17,7 @@ namespace {
 using evaluate::JudgedLine;
 using Middles = std::vector<std::optional<Eigen::Vector2d>>;
 
-/// Whether each place is in the area; what has no place is where the middle of all places is.
+/// Whether each place is in the area; a missing place is assumed to be at the centre of all places.
 std::vector<bool> are_in(const Eigen::AlignedBox2d& area, const Middles& places) {
   Eigen::AlignedBox2d all;
   for (const auto& place : places) {
@@ -70,7 +70,7 @@ std::vector<bool> are_lines_in(const Eigen::AlignedBox2d& area,
   return are_in(area, places);
 }
 
-/// The lines of the area, and all that planes may share points with.
+/// The lines of the area and all lines whose planes may share points with theirs.
 std::vector<bool> are_near(const std::vector<bool>& is_own,
                            const std::vector<JudgedLine>& lines,
                            const evaluate::JudgeOptions& options) {
@@ -102,7 +102,7 @@ void keep(const std::vector<bool>& is_kept, std::vector<T>& values) {
   values.resize(n);
 }
 
-/// Drops decoys of lines that are not kept; the others get the new numbers of their lines.
+/// Drops decoys of lines that are not kept and gives the others the new numbers of their lines.
 void keep_decoys(const std::vector<bool>& is_kept, std::vector<evaluate::Decoy>& decoys) {
   std::vector<std::size_t> number(is_kept.size(), 0);
   for (std::size_t i = 0, n = 0; i < is_kept.size(); ++i) {

@@ -16,7 +16,7 @@ using evaluate::ConstantShift;
 using evaluate::JudgedLine;
 using evaluate::LineEvaluation;
 
-/// Distances from here on may be those from planes beside which the lines do not lie.
+/// Above this distance, the planes may not be those adjacent to the lines.
 constexpr double kFar_m = 1.0;
 
 std::vector<LineEvaluation> evaluations_of(const std::vector<evaluate::JudgedResult>& results) {
@@ -42,7 +42,8 @@ std::optional<ConstantShift> by_own_plan(std::vector<JudgedLine> lines,
   return evaluate::estimate_shift(evaluations_of(judged.results.front()), accuracy_m);
 }
 
-/// The system that states heights, of cloud, lines and cameras; else one that is known.
+/// The first reference system of cloud, lines and cameras that includes heights; else the first
+/// known one.
 io::Crs crs_of(const io::CloudFiles& cloud,
                const io::LineSet& set,
                const std::optional<io::Patch>& patch) {
@@ -55,7 +56,7 @@ io::Crs crs_of(const io::CloudFiles& cloud,
   return with_heights == all.end() ? all.front() : *with_heights;
 }
 
-/// The middle of the first line that was judged.
+/// The midpoint of the first line that was judged.
 Eigen::Vector3d place_amid(const std::vector<LineEvaluation>& judged,
                            const std::vector<JudgedLine>& lines) {
   const auto first =

@@ -59,7 +59,7 @@ const std::vector<BuildingField>& building_fields() {
   return fields;
 }
 
-/// A figure of a face that was judged.
+/// A figure of a face; empty if the face was not judged.
 template <typename Get>
 Value if_judged(const FaceEvaluation& face, Get get) {
   return face.status == evaluate::FaceStatus::kEvaluated ? number(get(face.difference)) : Value();

@@ -53,11 +53,11 @@ void add_values(const Fields& fields,
   }
 }
 
-/// The columns of an input under names that none of our columns has, whatever the case.
+/// The columns of an input, renamed where they clash with our columns (ignoring case).
 std::vector<io::Column> renamed(std::vector<io::Column> columns,
                                 const std::vector<io::Column>& ours);
 
-/// Takes local metres to the coordinates of the map.
+/// Converts local metres to map coordinates.
 class ToMap {
  public:
   ToMap(const Eigen::Vector3d& origin_m, const Eigen::Vector3d& unit_m)
@@ -70,12 +70,12 @@ class ToMap {
   Eigen::Vector3d origin_m_, unit_m_;
 };
 
-/// The columns of a building's figures, and their values from the column `first` on.
+/// The columns of a building's figures, and their values, starting at column `first`.
 std::vector<io::Column> building_columns();
 io::SparseRow building_values(const evaluate::BuildingRow& row, std::size_t first);
 
-/// The layers of a judged model, in the coordinates of the map: `buildings`, with what their file
-/// states of them, and `faces`. Each building is the polygons of its roof faces.
+/// The layers of a judged model, in map coordinates: `buildings`, with their attributes in the
+/// file, and `faces`. The geometry of a building consists of the polygons of its roof faces.
 std::vector<io::MapLayer> model_layers(const JudgedModel& judged,
                                        const io::LineSet& set,
                                        const ToMap& to_map);

@@ -17,7 +17,7 @@
 namespace ridgeline::results {
 namespace {
 
-/// Colour and label of the lines up to a distance. The report has the same steps (colours.ts).
+/// Colour and label of the lines up to a distance. The report uses the same steps (colours.ts).
 struct Step {
   double upto_m;
   std::uint32_t colour;
@@ -38,7 +38,7 @@ std::string rgba(std::uint32_t colour, int alpha = 255) {
   return fmt::format("{},{},{},{}", colour >> 16U, (colour >> 8U) & 0xffU, colour & 0xffU, alpha);
 }
 
-/// A symbol of one layer. QGIS reads `Option` from 3.18 on, `prop` before.
+/// A symbol with a single layer. QGIS reads `Option` since version 3.18 and `prop` before.
 std::string qml_symbol(int number,
                        std::string_view type,
                        std::string_view layer_class,
@@ -157,11 +157,11 @@ std::string sld_by_distance() {
   return sld("lines", rules);
 }
 
-/// How a rule finds its features by their `verdict`.
+/// How a rule selects features by their `verdict`.
 enum class Match : std::uint8_t { kAll, kEquals, kHas, kNull };
 
-/// Areas of one look. Rules may share features, as a face may be wrong in several ways: the marks
-/// lie on each other.
+/// Areas of one style. Rules may share features, because a face may be wrong in several ways; the
+/// styles are then superimposed.
 struct AreaRule {
   std::string label;
   Match match = Match::kAll;
@@ -225,7 +225,7 @@ std::string qml_of_areas(const std::vector<AreaRule>& areas) {
   return qml_by_rules(rules, symbols);
 }
 
-/// SLD 1.0 has no hatches; a hatched area is filled more lightly there.
+/// SLD 1.0 has no hatches; a hatched area gets a lighter fill instead.
 std::string sld_of_areas(std::string_view layer, const std::vector<AreaRule>& areas) {
   std::string rules;
   for (const AreaRule& area : areas) {
@@ -250,7 +250,7 @@ std::string sld_of_areas(std::string_view layer, const std::vector<AreaRule>& ar
   return sld(layer, rules);
 }
 
-/// The outline of a building by its verdict: solid for heights, dashed for what is wrong in plan.
+/// The outline of a building by its verdict: solid for errors in height, dashed for errors in plan.
 struct BuildingStroke {
   evaluate::BuildingVerdict verdict;
   std::uint32_t colour;

@@ -44,13 +44,13 @@ std::string kinds_rows(const JudgedFiles& judged, std::size_t i) {
   return text;
 }
 
-/// What the buildings of one value of an attribute add up to.
+/// Totals of the buildings with the same value of an attribute.
 struct Group {
   int n_buildings = 0, n_right = 0, n_judged_buildings = 0, n_lines = 0, n_judged_lines = 0;
   double squares_m2 = 0.0;
 };
 
-/// How far all points are from their buildings; nothing without points.
+/// The distances of all points from their buildings; std::nullopt without points.
 std::optional<std::string> points_message(const JudgedModel& model) {
   std::vector<double> to_surface_m, to_roof_m;
   for (const evaluate::PointDistances& points : model.points) {

@@ -16,7 +16,7 @@ namespace {
 
 using evaluate::Json;
 
-/// Whether there is something that a new file would replace.
+/// Whether a new file would replace something.
 bool would_be_lost(const fs::path& file) {
   const fs::file_status status = fs::symlink_status(file);
   if (fs::is_regular_file(status)) return fs::file_size(file) > 0;
@@ -40,7 +40,7 @@ OutputFolder::~OutputFolder() {
     const fs::path record = folder_ / record_name_;
     if (lock_->has_unlisted() && io::is_record(record))
       write_record(Json::parse(io::read_text_file(record.string())));
-  } catch (const std::exception&) {  // the list stays in the file of the lock
+  } catch (const std::exception&) {  // the lock file still contains the list
   }
 }
 

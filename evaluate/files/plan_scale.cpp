@@ -16,7 +16,7 @@
 namespace ridgeline::results {
 namespace {
 
-/// Where the lines lie in the plan, in the coordinates of their files.
+/// The positions of the lines in plan, in the coordinates of their files.
 class Places {
  public:
   explicit Places(const std::vector<io::LineSet>& sets) {
@@ -34,8 +34,8 @@ class Places {
 
   [[nodiscard]] bool empty() const { return coordinates_[0].empty(); }
 
-  /// Quantiles of the coordinates by axis. The one at 0.5 is the middle of most lines, as single
-  /// lines may lie anywhere.
+  /// Quantiles of the coordinates by axis. Those at 0.5 give a centre that is not affected by
+  /// outlying lines.
   [[nodiscard]] Eigen::Vector2d quantile(double share_x, double share_y) const {
     return {quantile_of(coordinates_[0], share_x), quantile_of(coordinates_[1], share_y)};
   }
@@ -49,7 +49,7 @@ class Places {
   std::array<std::vector<double>, 2> coordinates_;
 };
 
-/// The one reference system of lines, cloud and cameras, which some of them may leave out.
+/// The common reference system of lines, cloud and cameras, not all of which need state it.
 io::Crs common_crs(const io::CloudFiles& cloud,
                    const std::vector<io::LineSet>& sets,
                    const std::optional<io::Patch>& patch) {
@@ -60,12 +60,12 @@ io::Crs common_crs(const io::CloudFiles& cloud,
   return known == sets.end() ? io::Crs{} : known->crs;
 }
 
-/// Throws IoError unless one factor by axis is right for nearly all lines.
+/// Throws IoError unless a single factor per axis is valid for nearly all lines.
 void require_constant_scale(const std::string& path,
                             const io::Crs& crs,
                             const Places& places,
                             const io::GridScale& middle) {
-  constexpr double kCut = 0.05;  // share left out at each end, as single lines may lie anywhere
+  constexpr double kCut = 0.05;  // share ignored at each end, because of outlying lines
   const auto refuse = [&](const std::string& why) {
     throw io::IoError(path, fmt::format("{}; project lines and cloud, for instance to {}", why,
                                         io::utm_zone_text(crs, middle)));

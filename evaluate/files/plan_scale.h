@@ -11,13 +11,13 @@
 
 namespace ridgeline::results {
 
-/// Sees to it that distances in the plan are metres on the ground where the lines lie, as heights
-/// are. In Web Mercator they are half as long again in Germany. A plan that is not true to scale is
-/// refused, see io::require_true_scale(). With `scale_to_ground` the cloud's plan is divided by its
-/// scale at the middle of the lines instead; judge_lines() then does the same to the lines. Throws
-/// IoError if the plan is not true to scale; with `scale_to_ground` only if its scale varies too
-/// much over the lines or its axes are askew on the ground. Throws std::invalid_argument for
-/// `scale_to_ground` with cameras, which cannot be scaled.
+/// Ensures that distances in plan, like heights, are metres on the ground at the lines. In Web
+/// Mercator, plan distances in Germany are half as long again as on the ground. By default, a plan
+/// that is not true to scale is an IoError, see io::require_true_scale(). With `scale_to_ground`
+/// the cloud's plan coordinates are divided by the map scale at the centre of the lines;
+/// judge_lines() then does the same to the lines. In this case, throws IoError only if the scale
+/// varies too much over the lines or the axes are skewed on the ground, and std::invalid_argument
+/// if there are cameras, which cannot be scaled.
 void set_plan_scale(const std::vector<io::LineSet>& sets,
                     const std::optional<io::Patch>& patch,
                     bool scale_to_ground,

@@ -10,11 +10,12 @@
 
 namespace ridgeline::results {
 
-/// A point as it is read, in the grid, and its share of the grid's cells while that is built.
+/// Memory for a point as read, for its copy in the grid, and for its share of the cells while the
+/// grid is built.
 inline constexpr std::uint64_t kBytesPerPoint =
     sizeof(io::CloudPoint) + sizeof(evaluate::PointGrid::Point) + 32;
 
-/// A grid of the points of a cloud, which has none afterwards.
+/// Builds a grid of the points of a cloud and releases them from the cloud.
 inline evaluate::PointGrid grid_of(io::PointCloud& cloud) {
   const auto position = [&](std::size_t i) {
     const io::CloudPoint& p = cloud.points[i];

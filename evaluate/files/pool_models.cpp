@@ -23,7 +23,7 @@ namespace {
 
 using evaluate::Evaluation;
 
-/// The rows of a table of one run, read from front to back. A row that is not there is an IoError.
+/// The rows of a table of one run, read in order. Throws IoError for a missing row.
 class Rows {
  public:
   Rows(const AreaRun& run, const char* name, std::size_t n_columns)
@@ -37,7 +37,7 @@ class Rows {
   [[nodiscard]] double number(const char* column) const {
     return table_.number(row(), table_.column(column));
   }
-  /// All cells of the next row, which is then the one after it.
+  /// Returns all cells of the next row and advances to the row after it.
   std::vector<std::string> take() {
     std::vector<std::string> cells(n_columns_);
     for (std::size_t c = 0; c < n_columns_; ++c) cells[c] = table_.text(row(), c);
@@ -69,7 +69,7 @@ std::size_t n_columns_of(const std::string& header) {
   return static_cast<std::size_t>(std::ranges::count(header, ',')) + 1;
 }
 
-/// A building of a run: its row of buildings.csv and those of faces.csv.
+/// A building of a run: its row in buildings.csv and its rows in faces.csv.
 struct PooledBuilding {
   std::size_t number = 0;
   std::vector<std::string> by;
@@ -105,7 +105,7 @@ void pool_by(const Evaluation& evaluation,
 
 using Buildings = std::vector<PooledBuilding>;
 
-/// Adds the buildings of a run, by line file.
+/// Adds the buildings of a run to the lists by line file.
 void add_buildings(const AreaRun& run, std::vector<Buildings>& buildings) {
   Rows rows(run, "buildings.csv", n_columns_of(evaluate::buildings_csv_header()));
   Rows faces(run, "faces.csv", n_columns_of(evaluate::faces_csv_header()));
@@ -120,7 +120,7 @@ void add_buildings(const AreaRun& run, std::vector<Buildings>& buildings) {
   }
 }
 
-/// Numbers of edges by line file, kind that the model states and kind in the scan.
+/// Numbers of edges by line file, kind stated by the model and kind in the scan.
 using Kinds = std::map<std::tuple<std::size_t, std::string, std::string>, int>;
 
 void add_kinds(const AreaRun& run, const std::vector<Evaluation>& evaluations, Kinds& kinds) {

@@ -8,9 +8,9 @@
 
 namespace ridgeline::results {
 
-/// The tables of the models that runs have judged area by area: rows of buildings in the order of
-/// their file, kinds added up. `evaluations`: those of all lines, by line file. Throws IoError for
-/// a table that is not that of its run.
+/// Pools the tables of models that were judged area by area: buildings in the order of their file,
+/// sums of the edge kinds. `evaluations`: of all lines, by line file. Throws IoError for a table
+/// that does not belong to its run.
 ModelTables pooled_models(const std::vector<AreaRun>& runs,
                           const std::vector<evaluate::Evaluation>& evaluations);
 

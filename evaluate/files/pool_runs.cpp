@@ -33,8 +33,8 @@ using evaluate::Json;
   throw io::IoError(folder, problem);
 }
 
-/// Table 2 does not name evaluations without lines, which an area may have: they are not found by
-/// read_evaluations().
+/// Reads an evaluation by its file, because read_evaluations() does not find one without lines, as
+/// an area may have: Table 2 does not list it.
 Evaluation read_area_evaluation(const std::string& file) {
   try {
     Evaluation evaluation = evaluate::parse_evaluation(io::read_text_file(file));
@@ -66,7 +66,7 @@ AreaRun read_run(const std::string& folder) {
   return run;
 }
 
-/// Options on which results depend: not the area, and no paths.
+/// The options on which results depend, without the area and paths.
 Json options_of(const AreaRun& run) {
   Json options = run.run.at("options");
   for (const char* key : {"area", "lines", "cloud", "patch", "geoid"}) options.erase(key);
@@ -84,8 +84,8 @@ Json system_of(const AreaRun& run) {
   return system;
 }
 
-/// Hashes by role and name of the inputs that all runs must share: all but the cloud, of which a
-/// run reads the files near its lines.
+/// Hashes by role and name of the inputs that all runs must share: all except the cloud, of which a
+/// run only reads the files near its lines.
 Json shared_inputs_of(const AreaRun& run) {
   Json hashes = Json::object();
   for (const Json& input : run.run.at("inputs")) {
@@ -158,7 +158,7 @@ std::vector<Json> inputs_of(const std::vector<AreaRun>& runs) {
   return inputs;
 }
 
-/// A line of an evaluation of several runs.
+/// The position of a line in the evaluations of several runs.
 struct LinePlace {
   std::size_t number, run, line;
   auto operator<=>(const LinePlace&) const = default;
@@ -186,7 +186,7 @@ std::vector<LinePlace> places_of(const std::vector<AreaRun>& runs, std::size_t m
                          runs[twice->run].folder));
 }
 
-/// Gives the planes of all runs the ids of one run of all lines.
+/// Gives the planes of all runs the ids that a single run of all lines would give them.
 void identify_planes_of(std::vector<AreaRun>& runs, std::size_t method) {
   const std::size_t n_lines = runs.front().evaluations[method].area->n_lines;
   std::vector<evaluate::LineEvaluation*> by_number(n_lines, nullptr);
@@ -199,7 +199,7 @@ void identify_planes_of(std::vector<AreaRun>& runs, std::size_t method) {
   evaluate::identify_planes(by_number);
 }
 
-/// What the runs that state a likely cause of their shift agree on; else nothing.
+/// The likely cause of the shift if all runs that state one agree; else "".
 std::string common_cause(const std::vector<AreaRun>& runs, std::size_t method) {
   std::set<std::string> causes;
   for (const AreaRun& run : runs) {

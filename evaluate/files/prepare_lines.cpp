@@ -30,8 +30,8 @@ std::vector<io::LineSet> read_line_files(const JudgeFilesOptions& options) {
   return sets;
 }
 
-/// Gives the lines the plan scale of the cloud. Lines that state no reference system are taken to
-/// be in its units too.
+/// Gives the lines the plan scale of the cloud. Lines without a reference system are assumed to be
+/// in its units, too.
 void take_unit_of(const io::CloudFiles& cloud, io::LineSet& set) {
   set.plan_scale = cloud.plan_scale();
   const Eigen::Vector3d grid_from_ground(set.plan_scale.x(), set.plan_scale.y(), 1.0);

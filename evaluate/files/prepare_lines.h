@@ -12,16 +12,16 @@
 
 namespace ridgeline::results {
 
-/// Lines that are ready to be judged: in the frame and the units of the cloud.
+/// Lines ready to be judged, in the frame and the units of the cloud.
 struct PreparedLines {
-  JudgedFiles judged;  ///< so far: lines as read, frame, warnings
+  JudgedFiles judged;  ///< filled so far: lines as read, frame, warnings
   LineSets lines;
   std::optional<std::vector<evaluate::ReferenceLine>> references;
   std::vector<std::string> reference_warnings;
 };
 
-/// Reads the lines and the true lines that the options name. Throws IoError as read_lines(), and
-/// for two files of lines with one name.
+/// Reads the lines and true lines named in the options. Throws IoError like read_lines(), and for
+/// two line files with the same name.
 LinesToJudge read_lines_to_judge(const JudgeFilesOptions& options);
 
 /// The first step of judge_lines(). Throws IoError for a CRS or unit mismatch.

@@ -21,17 +21,17 @@ namespace {
 using evaluate::Evaluation;
 using evaluate::Json;
 
-/// METHOD of evaluation.METHOD.json, with bytes that are not UTF-8 replaced as in JSON.
+/// METHOD in evaluation.METHOD.json, with invalid UTF-8 bytes replaced as in JSON.
 std::string method_in_name(const fs::path& file) {
   const std::string stem = file.stem().string();
   return Json::parse(evaluate::dump(Json(stem.substr(stem.find('.') + 1)))).get<std::string>();
 }
 
-/// Patches and methods of a table2.json. Of a flat folder it is those of the first patch: the rows
-/// after them are parts of a block, whose lines are in the evaluation of the block.
+/// Patches and methods of a table2.json. For a flat folder, only those of the first patch: the
+/// following rows are parts of a block, whose lines are in the evaluation of the block.
 class TableOfRun {
  public:
-  /// Throws IoError for a file that is no such table.
+  /// Throws IoError if the file is not such a table.
   TableOfRun(fs::path file, bool is_flat)
       : file_(std::move(file)), is_flat_(is_flat), exists_(fs::exists(file_)) {
     if (!exists_) return;
@@ -47,7 +47,7 @@ class TableOfRun {
     }
   }
 
-  /// Whether the table may name the evaluation, by where its file lies and what the file is called.
+  /// Whether the table may list the evaluation, judging by the path of its file.
   [[nodiscard]] bool may_name(const FoundEvaluation& file) const {
     if (!exists_) return true;
     if (is_flat_ && !file.subfolder.empty()) return false;
@@ -59,7 +59,7 @@ class TableOfRun {
     });
   }
 
-  /// The place of an evaluation in the table; nothing if the table does not name it.
+  /// The position of an evaluation in the table; std::nullopt if the table does not list it.
   [[nodiscard]] std::optional<std::size_t> rank_of(const Evaluation& evaluation) const {
     if (!exists_) return 0;
     const auto entry = rank_.find({evaluation.patch, evaluation.method});
@@ -84,8 +84,8 @@ class TableOfRun {
   std::map<std::pair<std::string, std::string>, std::size_t> rank_;
 };
 
-/// The evaluation files of a folder, found by their names and sorted by path. They are not read
-/// yet.
+/// The evaluation files of a folder, found by their names and sorted by path. Their contents are
+/// not read yet.
 std::vector<FoundEvaluation> evaluation_files(const fs::path& folder) {
   std::vector<FoundEvaluation> files;
   constexpr int kMaxDepth = 1;  // DIR/PATCH/evaluation.METHOD.json

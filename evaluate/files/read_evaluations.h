@@ -11,22 +11,22 @@
 
 namespace ridgeline::results {
 
-/// Reads a JSON object. Throws IoError for a file that is none.
+/// Reads a JSON object. Throws IoError if the file does not contain one.
 evaluate::Json read_json_object(const std::filesystem::path& file);
 
-/// An evaluation.METHOD.json of a folder of results.
+/// An evaluation.METHOD.json in a results folder.
 struct FoundEvaluation {
   std::filesystem::path path;
-  std::string subfolder;  ///< "", or "PATCH/" where `run` has written it
+  std::string subfolder;  ///< "", or "PATCH/" if written by `run`
   evaluate::Evaluation evaluation;
   std::size_t rank = 0;  ///< place in table2.json; 0 without that file
 };
 
-/// The evaluations of the last run into a folder, in the order of their paths. Evaluations that its
-/// table2.json does not name are of earlier runs and do not count, even if they are damaged.
-/// Without that table all count. `is_flat` says that `evaluate` or `block` wrote the folder: into
-/// itself, not into a subfolder for each patch. Throws IoError for a file that is not what it
-/// should be, for an evaluation of the table that is missing, and for a folder without evaluations.
+/// The evaluations that the last run wrote to a folder, ordered by path. Evaluations that are not
+/// listed in its table2.json come from earlier runs and are ignored, even if damaged; without that
+/// table, none is ignored. `is_flat`: whether `evaluate` or `block` wrote the folder, without a
+/// subfolder per patch. Throws IoError for an invalid file, for a listed evaluation that is
+/// missing, and for a folder without evaluations.
 std::vector<FoundEvaluation> read_evaluations(const std::filesystem::path& folder, bool is_flat);
 
 }  // namespace ridgeline::results

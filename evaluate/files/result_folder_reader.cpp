@@ -15,8 +15,8 @@ namespace {
 
 using evaluate::Json;
 
-/// Reads the run's time and the hashes, by file name, of the data that two runs must share: all
-/// inputs but the judged lines and the options.
+/// Reads the run time and the hashes, by file name, of the data that two runs must share: all
+/// inputs except the judged lines and the options.
 void read_run_record(const Json& json, const fs::path& file, evaluate::ResultFolder& results) {
   try {
     for (const auto& input : json.at("inputs")) {
@@ -32,7 +32,7 @@ void read_run_record(const Json& json, const fs::path& file, evaluate::ResultFol
   }
 }
 
-/// Whether the rows of a file of a patch number its lines.
+/// Whether the rows of a patch's file determine the numbers of its lines.
 bool numbers_lines(const std::string& name) {
   return name.starts_with("segments.") || name == "matches.csv" || name == "tracks.csv";
 }

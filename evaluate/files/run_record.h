@@ -10,7 +10,7 @@
 
 namespace ridgeline::results {
 
-/// Versions of this program and of the libraries it runs with.
+/// Versions of this program and of the libraries that it uses.
 nlohmann::ordered_json versions();
 
 /// A file that a run reads.
@@ -20,8 +20,8 @@ struct InputFile {
 };
 std::vector<std::string> paths_of(const std::vector<InputFile>& files);
 
-/// run.json: what was run on what, with which options, how long and with how much memory. Only its
-/// times and memory differ between two equal runs.
+/// The content of run.json: command, inputs, options, run times and memory use. Between two
+/// identical runs, only the times and the memory use differ.
 class RunRecord {
  public:
   explicit RunRecord(std::string command);
@@ -30,22 +30,21 @@ class RunRecord {
   void set(const std::string& key, nlohmann::ordered_json value) { facts_[key] = std::move(value); }
   /// Records the file with its size and SHA-256. Files of the roles `cloud`, `patch`, `area`,
   /// `surface_model`, `orientation`, `image` and `reference` are the data that two runs must share
-  /// to be compared; `lines` are what is judged. A folder (LIMAP's tracks) is recorded as each of
-  /// its files. Throws IoError if it cannot be read.
+  /// to be comparable; `lines` are the lines to be judged. For a folder (LIMAP's tracks), each of
+  /// its files is recorded. Throws IoError if a file cannot be read.
   void add_input(const InputFile& file);
-  /// Adds an input as another run has recorded it.
+  /// Adds an input as recorded by another run.
   void add_recorded_input(nlohmann::ordered_json input) { inputs_.push_back(std::move(input)); }
-  /// The SHA-256 of a file that is known already; add_input() does not read the file then.
+  /// Sets the SHA-256 of a file, so that add_input() need not read the file.
   void know_hash(const std::string& path, const std::string& sha256) { known_[path] = sha256; }
-  /// The SHA-256 of a file that add_input() was given. Throws std::invalid_argument for another
-  /// one.
+  /// The SHA-256 of a file passed to add_input(). Throws std::invalid_argument for any other file.
   [[nodiscard]] std::string hash_of(const std::string& path) const;
   void add_warnings(const std::vector<std::string>& warnings);
   [[nodiscard]] std::vector<std::string> warnings() const { return warnings_; }
-  /// Leaves out the time since the last stage ended, in which the program did something else.
+  /// Excludes the time since the end of the last stage, which was spent on other work.
   void resume();
-  /// Ends the stage that runs now. Records its wall time since the last one, and the peak memory so
-  /// far.
+  /// Ends the current stage. Records the wall time since the end of the previous stage and the peak
+  /// memory so far.
   void end_stage(const std::string& name);
 
   /// The facts, for OutputFolder::write_record().

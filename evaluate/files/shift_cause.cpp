@@ -16,13 +16,13 @@ namespace {
 using evaluate::ConstantShift;
 using evaluate::ShiftAxis;
 
-/// Below this a geoid that cannot be compared is not worth a word: it is more than that off the
+/// For smaller shifts, a missing geoid grid is not mentioned: the geoid is farther from the
 /// ellipsoid nearly everywhere.
 constexpr double kMinGeoidShift_m = 1.0;
 
 double half_width_m(const ShiftAxis& axis) { return 0.5 * (axis.ci95_m->high - axis.ci95_m->low); }
 
-/// Whether the axis may have this shift, and not none.
+/// Whether the shift of the axis is compatible with the expected one but not with zero.
 bool is_explained(const ShiftAxis& axis, double expected_m, double tolerance_m) {
   const double allowed_m = half_width_m(axis) + tolerance_m;
   return std::abs(*axis.shift_m - expected_m) <= allowed_m && std::abs(*axis.shift_m) > allowed_m;
@@ -59,14 +59,14 @@ std::string geoid_cause(const ConstantShift& shift, const ShiftPlace& place) {
       geoid.height ? "" : "the geoid cannot be compared: ", fmt::join(geoid.missing, ", "));
 }
 
-/// Half a pixel to the right and down, on the ground of a camera, in plan.
+/// The displacement in plan on the ground for half a pixel to the right and down in an image.
 Eigen::Vector2d half_pixel_m(const ProjectionMatrix& camera, const Eigen::Vector3d& x) {
   const Plane3 level(Eigen::Vector3d::UnitZ(), -x.z());
   const Eigen::Vector2d moved_px = project(camera, x) + Eigen::Vector2d(0.5, 0.5);
   return (point_on_plane(camera, moved_px, level) - x).head<2>();
 }
 
-/// Half a pixel on the ground if that is the same for all cameras to a quarter; else nothing.
+/// Half a pixel on the ground if it agrees within a quarter for all cameras; else std::nullopt.
 std::optional<Eigen::Vector2d> common_half_pixel_m(const ShiftPlace& place) {
   constexpr double kAlike = 0.25;
   const std::vector<io::PatchImage>& images = (*place.patch)->images;

@@ -13,7 +13,7 @@
 
 namespace ridgeline::results {
 
-/// Where shifted lines lie, and by which systems and cameras.
+/// Position, reference system and cameras of shifted lines.
 struct ShiftPlace {
   Eigen::Vector3d x_in_local = Eigen::Vector3d::Zero();  ///< a place amid the lines
   LocalFrame frame;
@@ -23,13 +23,13 @@ struct ShiftPlace {
   const std::optional<io::Patch>* patch = nullptr;   ///< its cameras
 };
 
-/// A clause on what explains a significant shift, "" if nothing known does:
-///   - geoid against ellipsoid: the shift in height is the height of the geoid, see io::geoid_at();
-///     if that cannot be known, the clause says which grid is missing;
+/// A clause that explains a significant shift; "" if no known cause fits:
+///   - geoid versus ellipsoid: the height shift equals the geoid height, see io::geoid_at(); if the
+///     geoid height is unavailable, the clause names the missing grid;
 ///   - half a pixel: the shift in plan is half a row and half a column of every image on the
-///     ground, and there is none in height.
-/// A swapped or mirrored axis moves no two lines alike, so that no constant shift tells of it.
-/// Throws IoError as io::require_geoid_grid().
+///     ground, without a shift in height.
+/// A swapped or mirrored axis moves every line differently and so does not cause a constant shift.
+/// Throws IoError under the same conditions as io::require_geoid_grid().
 std::string likely_cause(const evaluate::ConstantShift& shift, const ShiftPlace& place);
 
 }  // namespace ridgeline::results

@@ -31,7 +31,7 @@ double squares_m2(const std::vector<double>& x_m) {
   return std::transform_reduce(x_m.begin(), x_m.end(), 0.0, std::plus<>(), squared);
 }
 
-/// The middle of all vertices of a building's faces.
+/// The mean of all vertices of a building's faces.
 Eigen::Vector3d middle_of(const evaluate::RoofBuilding& building) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double n = 0.0;
@@ -44,8 +44,8 @@ Eigen::Vector3d middle_of(const evaluate::RoofBuilding& building) {
   return n > 0.0 ? Eigen::Vector3d(sum / n) : sum;
 }
 
-/// The squares of the heights between a building's roof and the points over it. Points over a roof
-/// that is not where it should be may be taken for the ground, which does not count otherwise.
+/// The sum of squared heights between a building's roof and the points over it. Ground points are
+/// only included if the roof is misplaced, because they may then in fact belong to the roof.
 double roof_squares_m2(const evaluate::BuildingRow& row, const evaluate::PointDistances& points) {
   const bool is_elsewhere = row.verdict == BuildingVerdict::kGone ||
                             row.verdict == BuildingVerdict::kTooHigh ||
@@ -117,7 +117,7 @@ std::vector<ToFix> lines_to_fix(const JudgedFiles& judged,
   return list;
 }
 
-/// An entry with its place in the list, from 1.
+/// An entry with its 1-based position in the list.
 struct Ranked {
   const ToFix& entry;
   std::int64_t rank;

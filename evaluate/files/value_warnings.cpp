@@ -19,12 +19,12 @@ namespace {
 using evaluate::LineEvaluation;
 using evaluate::Status;
 
-/// Largest distance that is taken for an error of the line. check_frame() sets the same limit to
-/// the median.
+/// Largest distance that is assumed to be an error of the line. check_frame() applies the same
+/// limit to the median.
 constexpr double kMaxError_m = 20.0;
 
-/// Root mean square of the distances of the judged lines for which `is_counted` holds; nothing if
-/// there are none.
+/// Root mean square of the distances of the judged lines for which `is_counted` holds; std::nullopt
+/// if there are none.
 template <typename Predicate>
 std::optional<double> rms_m(const std::vector<LineEvaluation>& lines, const Predicate& is_counted) {
   double sum = 0.0;
@@ -38,10 +38,10 @@ std::optional<double> rms_m(const std::vector<LineEvaluation>& lines, const Pred
   return std::sqrt(sum / static_cast<double>(n));
 }
 
-/// The steps that may have moved the lines: always steps of float32, and steps of too few digits
-/// unless the lines fit too well for them. Rounding to a step moves a coordinate by 0.29 of the
-/// step (RMS), and a line across its plane by less; of the lines that it moves the farthest many
-/// are not judged.
+/// The steps that may have degraded the lines: always float32 steps, and steps due to too few
+/// digits unless the lines fit too well for these. Rounding moves a coordinate by 0.29 of the step
+/// (RMS) and a line across its plane by less; many of the lines that move the farthest are not
+/// judged.
 Eigen::Vector3d harmful_steps_m(const io::LineSet& set, const std::vector<LineEvaluation>& lines) {
   constexpr double kMinHarm = 0.05;
   const io::CoordinateSteps steps = io::steps_of(set, unit_m_of(set));
@@ -72,7 +72,7 @@ bool is_far_in_height(const LineEvaluation& line) {
   return line.status == Status::kOutOfRange && line.length_m > 0.0;
 }
 
-/// Whether the line is far off its planes and parallel to them. A line that a tool misplaces that
+/// Whether the line is far from its planes and parallel to them. A line that a tool misplaced that
 /// far is seldom parallel.
 bool is_far_from_planes(const LineEvaluation& line) {
   constexpr double kParallel = 0.2;  // difference of the ends' distances over the mean distance

@@ -9,13 +9,13 @@
 
 namespace ridgeline::results {
 
-/// Adds warnings of what the values of judged lines give away, each behind the file's path:
-///   - coordinates in steps above io::kMaxCoordinateStep_m, unless the lines lie nearer to their
-///     planes than rounded ones could (a house that was drawn on whole metres is right). With
+/// Adds warnings about suspicious values of judged lines, each prefixed with the file's path:
+///   - coordinates in steps above io::kMaxCoordinateStep_m, unless the lines are closer to their
+///     planes than rounded lines could be (a house drawn at whole metres may be correct). With
 ///     `strict` this throws IoError instead.
-///   - lines with the status out_of_range because of a mark for a missing height, and lines that
-///     are judged but lie so far beside their planes that they decide the RMS: heights of another
-///     unit or system.
+///   - lines with the status out_of_range because of a no-data height, and judged lines that are so
+///     far from their planes that they dominate the RMS, which suggests heights in another unit or
+///     system.
 void add_value_warnings(const io::LineSet& set,
                         const evaluate::Evaluation& evaluation,
                         bool strict,

@@ -4,8 +4,8 @@
 namespace ridgeline::results {
 
 extern const char* const kVersion;
-/// The commit that the program is built from; "unknown" outside of a checkout. Its value is in a
-/// source of its own, so that a commit makes no other source compile again.
+/// The commit that the program is built from; "unknown" outside a checkout. It is defined in a
+/// separate source file, so that a new commit recompiles only that file.
 extern const char* const kGitHash;
 
 }  // namespace ridgeline::results

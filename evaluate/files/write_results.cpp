@@ -28,15 +28,15 @@ namespace {
 
 using evaluate::Evaluation;
 
-/// The evaluations without the method `planes`, whose ids mean nothing in other methods.
+/// The evaluations without the method `planes`, whose ids do not correspond to those of other
+/// methods.
 std::vector<Evaluation> of_matches(std::span<const Evaluation> evaluations) {
   std::vector<Evaluation> kept(evaluations.begin(), evaluations.end());
   std::erase_if(kept, [](const Evaluation& e) { return e.method == evaluate::kPlanesMethod; });
   return kept;
 }
 
-/// The evaluations, of which those of one patch stand together, cut down to the common lines of
-/// their patch.
+/// The evaluations, grouped by patch, restricted to the common lines of their patch.
 std::vector<Evaluation> on_common_lines_by_patch(std::span<const Evaluation> evaluations) {
   std::vector<Evaluation> common;
   for (std::size_t first = 0; first < evaluations.size();) {
@@ -60,7 +60,7 @@ bool has_several_methods(std::span<const Evaluation> evaluations) {
 void write_quality(std::span<const Evaluation> evaluations,
                    const std::vector<TruthRows>& truth,
                    const OutputFolder& out) {
-  constexpr double kTolerance_m = 0.25;  // one of the tolerances that are measured
+  constexpr double kTolerance_m = 0.25;  // one of the tolerances measured
   std::vector<evaluate::StandardsRow> rows;
   for (std::size_t i = 0; i < evaluations.size(); ++i) {
     std::optional<evaluate::ToleranceMeasures> against_lines;
@@ -75,8 +75,8 @@ void write_quality(std::span<const Evaluation> evaluations,
   out.write("quality.xml", evaluate::measures_to_xml(rows));
 }
 
-/// Writes the figures beside the distances from planes. `note`: what stands below the Markdown
-/// forms; may be empty.
+/// Writes the figures other than the distances from planes. `note`: text below the Markdown forms;
+/// may be empty.
 void write_truth(const std::vector<TruthRows>& rows,
                  const std::string& note,
                  const OutputFolder& out) {
@@ -174,7 +174,7 @@ void write_judged(const JudgedFiles& judged,
 }
 
 void write_plane_points(const std::string& path, const JudgedFiles& judged) {
-  // the largest plane, mostly the ground, is grey; the report has the same colours (colours.ts)
+  // the largest plane, usually the ground, is grey; the report uses the same colours (colours.ts)
   using Rgb = std::array<std::uint8_t, 3>;
   constexpr std::array<Rgb, 8> kColours{
       Rgb{0xb9, 0xb1, 0xa7}, Rgb{0xc3, 0xd3, 0xe3}, Rgb{0xe0, 0xcf, 0xae}, Rgb{0xc5, 0xd6, 0xb8},

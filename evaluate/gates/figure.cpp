@@ -81,7 +81,7 @@ std::string why_no_value(const Summary& cell, const std::string& metric) {
   return fmt::format("n = {} lines have no {}", cell.n_evaluated, metric);
 }
 
-/// The classes of the lines of one number of images.
+/// The classes of the lines with one number of images.
 std::vector<Summary> classes_of_images(const Evaluation& e, int n_images) {
   std::vector<LineEvaluation> lines;
   std::ranges::copy_if(e.lines, std::back_inserter(lines), [&](const LineEvaluation& line) {
@@ -90,8 +90,8 @@ std::vector<Summary> classes_of_images(const Evaluation& e, int n_images) {
   return summarize_classes(lines, e.options);
 }
 
-/// The share of the buildings with judged lines of a class whose lines have an RMS of
-/// Gate::within_m at most.
+/// Among the buildings with judged lines of a class, the share whose lines have an RMS of at most
+/// Gate::within_m.
 Figure building_figure(const Evaluation& e, const std::string& line_class, const Gate& gate) {
   struct Sum {
     double squares_m2 = 0.0;
@@ -171,7 +171,7 @@ Figure accuracy_figure(const Evaluation& e, const std::string& line_class, const
   return figure;
 }
 
-/// The evaluations of a patch that a gate without a method concerns, see figures_of().
+/// The evaluations of a patch to which a gate without a method applies, see figures_of().
 std::vector<const Evaluation*> products_of(const std::vector<const Evaluation*>& evaluations,
                                            const ResultFolder& folder) {
   if (folder.is_of_line_files || evaluations.empty()) return evaluations;

@@ -73,8 +73,8 @@ void check_decoys(const Gate& gate) {
   check(!gate.max_ratio_to_class, "max_ratio_to: decoy_share has no classes to compare");
 }
 
-/// An upper end says nothing on a figure that must not fall, and another figure's interval is not
-/// known here.
+/// An upper limit is meaningless for a figure that must not fall, and intervals of other figures
+/// are not available here.
 void check_bound(const Gate& gate) {
   if (gate.bound == GateBound::kPoint) return;
   check(has_clustered_interval(gate.metric), "bound: upper95; ", gate.metric,
@@ -104,8 +104,8 @@ void check_same_inputs(const ResultFolder& results, const ResultFolder& baseline
         ": it has inputs missing here; a baseline must have the same inputs");
 }
 
-/// The figure of the same cell in the baseline. If the baseline has none, the result says why in
-/// place of a value.
+/// The figure of the same cell in the baseline. If the baseline has none, the result has a reason
+/// instead of a value.
 Figure baseline_figure(const Gate& gate, const Figure& figure, const ResultFolder* baseline) {
   Figure none;
   none.why_missing = "no baseline is given (`baseline`)";
@@ -118,8 +118,7 @@ Figure baseline_figure(const Gate& gate, const Figure& figure, const ResultFolde
   return found;
 }
 
-/// A result without a verdict, with what is known of the figure. `rule` is what is asked of it, "<=
-/// 0.3".
+/// A result without a verdict, filled from the figure. `rule`: the requirement, e.g. "<= 0.3".
 GateResult begin_result(const Gate& gate, const Figure& figure, const std::string& rule) {
   GateResult result;
   const std::string of_images =
@@ -154,7 +153,7 @@ GateResult begin_result(const Gate& gate, const Figure& figure, const std::strin
 
 enum class Bound : std::uint8_t { kUpper, kLower };
 
-/// Why the figure is known too badly for a verdict; "" if it is not.
+/// Why the figure is too uncertain for a verdict; "" if it is not.
 std::string why_insufficient(const GateResult& result, const Gate& gate) {
   if (gate.n_min && result.n < *gate.n_min) {
     return fmt::format("n = {}, at least {} required", result.n, *gate.n_min);
@@ -174,8 +173,8 @@ std::string why_insufficient(const GateResult& result, const Gate& gate) {
   return "";
 }
 
-/// Gives the verdict on value and limit. A value that is not a number fails. If the result has an
-/// explanation already, that says why value or limit is missing.
+/// Sets the verdict from value and limit. NaN fails. An existing explanation gives the reason for a
+/// missing value or limit.
 GateResult settle(GateResult result, const Gate& gate, Bound bound) {
   if (!result.value || !result.limit) {
     result.verdict = Verdict::kMissing;
@@ -218,8 +217,7 @@ GateResult apply_ratio(const Gate& gate, const Figure& figure, const ResultFolde
   return settle(std::move(result), gate, Bound::kUpper);
 }
 
-/// `allowance` is how far the figure may be off the baseline; if it is empty, that of
-/// BaselineIncrease holds.
+/// `allowance`: permitted deviation from the baseline; if empty, the default of BaselineIncrease.
 GateResult apply_baseline(const Gate& gate,
                           const Figure& figure,
                           const ResultFolder* baseline,
@@ -231,7 +229,7 @@ GateResult apply_baseline(const Gate& gate,
   const double a = allowance.value_or(
       std::max(kMinIncrease_m, kIncreaseShare * std::abs(base.value.value_or(0.0))));
   const bool upper = bound == Bound::kUpper;
-  // the name of a check must be the same with every baseline
+  // the name of a check must not depend on the baseline
   const std::string allowed =
       allowance ? fmt::format("{:.4g}", a)
                 : fmt::format("max({}, {:.0f} %)", kMinIncrease_m, 100.0 * kIncreaseShare);

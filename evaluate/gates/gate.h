@@ -19,7 +19,7 @@ struct BaselineIncrease {
   std::optional<double> value;  ///< if empty, max(0.002 m, 5 % of the baseline); set for a share
 };
 
-/// Which figure a gate compares with its limit.
+/// Which value a gate compares with its limit.
 enum class GateBound : std::uint8_t {
   kPoint,    ///< the estimate
   kUpper95,  ///< the upper end of its clustered 95 % interval
@@ -31,13 +31,13 @@ struct Gate {
   std::optional<std::string> patch;   ///< if empty, every patch
   std::optional<std::string> method;  ///< or matcher; if empty, see figures_of()
   std::string line_class = "total";
-  std::optional<int> n_images;             ///< only lines of so many images, 5 being five and more
+  std::optional<int> n_images;             ///< only lines in this many images; 5: five or more
   std::optional<DecidedGroup> decided_by;  ///< only judged lines of this group
   std::optional<double> within_m;          ///< of building_metrics()
   std::string metric = "rms_m";            ///< see find_metric()
   std::optional<std::string> kind;         ///< of decoy_metrics(): height, across or match
-  std::optional<double> distance_m;        ///< of decoy_metrics(): how far lines were moved
-  GateBound bound = GateBound::kPoint;     ///< kUpper95 belongs to `max`
+  std::optional<double> distance_m;        ///< of decoy_metrics(): size of the displacement
+  GateBound bound = GateBound::kPoint;     ///< kUpper95 only with `max`
 
   std::optional<double> max;
   std::optional<double> min;
@@ -49,16 +49,17 @@ struct Gate {
   std::optional<std::size_t> n_min;  ///< with fewer lines the gate is "insufficient", which fails
 };
 
-/// Throws std::invalid_argument for a gate that cannot decide: without a rule, with an unknown
-/// metric, with a class for a figure of matching, with a limit that the figure cannot have, or with
-/// GateBound::kUpper95 for a figure without a clustered interval or for another rule than `max`.
+/// Throws std::invalid_argument for a gate that cannot be decided: one without a rule, with an
+/// unknown metric, with a class for a matching figure, with a limit that is impossible for the
+/// figure, or with GateBound::kUpper95 for a figure without a clustered interval or for a rule
+/// other than `max`.
 void validate(const Gate& gate);
 
 enum class Verdict : std::uint8_t {
   kPassed,
   kFailed,
   kInsufficient,  ///< fewer lines than n_min, too few clusters or too wide an interval
-  kMissing,       ///< the figure or its baseline does not exist
+  kMissing,       ///< the figure or its baseline is missing
 };
 const char* name(Verdict verdict);  ///< passed | failed | insufficient | missing
 
@@ -70,9 +71,9 @@ struct GateResult {
   std::optional<DecidedGroup> decided_by;  ///< see Gate
   std::optional<double> value, limit, baseline;
   std::optional<Interval>
-      ci95;  ///< its upper end is compared for GateBound::kUpper95, else it is only printed
+      ci95;  ///< its upper end is compared for kUpper95, else it is only printed
   GateBound bound = GateBound::kPoint;
-  std::size_t n_clusters = 0;  ///< of the interval; 0 if it is not of clusters
+  std::size_t n_clusters = 0;  ///< of the interval; 0 if it is not clustered
   std::size_t n = 0;
   std::optional<double> evaluated_share;
   Verdict verdict = Verdict::kMissing;
@@ -83,17 +84,16 @@ struct GateResult {
 struct GateReport {
   std::vector<GateResult> results;
   std::vector<std::string> warnings;  ///< see gate_warnings(); they never make a gate fail
-  /// Whether every result passed. False without results: a gate that checked nothing has not
-  /// passed.
+  /// Whether every result passed. False without results, because then nothing was checked.
   [[nodiscard]] bool passed() const;
 };
 
-/// Applies every gate to each figure that it concerns, see figures_of(). A figure that does not
-/// exist fails, as does a baseline rule without a baseline. Point estimates are compared, as the
-/// figures are deterministic, unless the gate asks for GateBound::kUpper95, which needs
-/// kMinClusters clusters. A share of decoys whose interval is wider than its limit is insufficient.
-/// Throws std::invalid_argument for a gate that validate() rejects, or a baseline whose input
-/// hashes are missing or differ.
+/// Applies every gate to the figures given by figures_of(). A missing figure fails, as does a
+/// baseline rule without a baseline. Point estimates are compared, because the figures are
+/// deterministic, unless the gate requests GateBound::kUpper95, which requires kMinClusters
+/// clusters. A share of decoys whose interval is wider than its limit is insufficient. Throws
+/// std::invalid_argument for a gate that validate() rejects, or a baseline whose input hashes are
+/// missing or differ.
 GateReport apply_gates(std::span<const Gate> gates,
                        const ResultFolder& results,
                        const ResultFolder* baseline = nullptr);

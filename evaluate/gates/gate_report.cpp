@@ -12,7 +12,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr int kDecimals = 4;  // a limit may be finer than the tables' millimetres
+constexpr int kDecimals = 4;  // limits may be finer than the tables' millimetres
 
 std::string number(std::optional<double> value) { return fixed(value, kDecimals); }
 
@@ -65,9 +65,9 @@ std::string verdict_line(const GateReport& report, Markup markup) {
                      report.results.size() - count_failed(report), report.results.size());
 }
 
-/// A part of a JUnit class name. Viewers take its dots for levels and build paths of it, so every
-/// character but letters, digits and - becomes _. The testcase's name has patch and method as they
-/// are.
+/// A part of a JUnit class name. Viewers interpret dots as levels and build paths from it, so every
+/// character except letters, digits and - becomes _. The testcase name contains patch and method
+/// unchanged.
 std::string classname_part(std::string_view text) {
   std::string result(text);
   const auto is_kept = [](char c) {
@@ -78,8 +78,8 @@ std::string classname_part(std::string_view text) {
   return result;
 }
 
-/// `text` escaped for XML, with bytes that are no UTF-8 replaced. Names of files may have such
-/// bytes, and a reader refuses the whole XML for one of them.
+/// `text` escaped for XML, with invalid UTF-8 bytes replaced. File names may contain such bytes,
+/// and readers reject the whole XML because of them.
 std::string xml_text(std::string_view text) {
   return escape_xml(Json::parse(dump(Json(text))).get<std::string>());
 }

@@ -17,12 +17,12 @@ std::string to_junit(const GateReport& report, std::string_view timestamp);
 /// GitHub aborts the upload of a job summary above 1024 KiB.
 inline constexpr std::size_t kMaxSummaryBytes = std::size_t{900} * 1024;
 
-/// Verdict, gate table (failures first), warnings. Rows beyond `max_bytes` are left out, with a
-/// line that says how many and where all of them are.
+/// Verdict, gate table (failures first), warnings. Rows beyond `max_bytes` are left out; a note
+/// then gives their number and where to find all rows.
 std::string to_markdown(const GateReport& report, std::size_t max_bytes = kMaxSummaryBytes);
 
-/// Verdict and gate table in aligned columns, with all rows and the reason of a failure below its
-/// row. The warnings are left out, as a terminal shows them as messages.
+/// Verdict and gate table in aligned columns, with all rows and the reason for a failure below its
+/// row. The warnings are left out, because a terminal shows them as messages.
 std::string to_terminal(const GateReport& report);
 
 /// {"passed": ..., "gates": [{rule, patch, method, class, metric, value, limit, ...}],
@@ -32,10 +32,10 @@ std::string to_json(const GateReport& report);
 /// GitHub workflow commands, at most 10 errors and 10 warnings: the limit per step.
 std::vector<std::string> to_annotations(const GateReport& report);
 
-/// Text for the data of a workflow command, with %, CR and LF escaped.
+/// Escapes text for the data of a workflow command, i.e. %, CR and LF.
 std::string escape_annotation(std::string_view text);
 
-/// Text for a property of a workflow command, with %, CR, LF, colon and comma escaped.
+/// Escapes text for a property of a workflow command, i.e. %, CR, LF, colon and comma.
 std::string escape_annotation_property(std::string_view text);
 
 }  // namespace ridgeline::evaluate

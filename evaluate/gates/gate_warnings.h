@@ -9,10 +9,10 @@
 
 namespace ridgeline::evaluate {
 
-/// Warnings of what fails no gate but needs a look: predicted sigmas of gated lines that are far
-/// from their distances, gated lines that were moved before they were judged, a run that takes over
-/// twice the time of its baseline, a baseline that no gate refers to. `applied` are the results of
-/// the gates.
+/// Warnings about findings that fail no gate but should be checked: predicted sigmas of gated lines
+/// that disagree strongly with the measured distances, gated lines that were moved before they were
+/// judged, a run that takes more than twice as long as its baseline, a baseline that no gate refers
+/// to. `applied`: the gate results.
 std::vector<std::string> gate_warnings(std::span<const Gate> gates,
                                        std::span<const GateResult> applied,
                                        const ResultFolder& results,

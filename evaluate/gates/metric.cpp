@@ -121,7 +121,7 @@ std::vector<Metric> metrics_of(const Entries& entries) {
   return transformed(entries, [&](const auto& entry) { return entry.metric; });
 }
 
-/// The entry of a name, or nullptr.
+/// The entry with a name, or nullptr.
 template <typename Entries>
 const auto* find_entry(const Entries& entries, std::string_view name) {
   const auto found = std::find_if(entries.begin(), entries.end(),

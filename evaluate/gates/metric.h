@@ -10,15 +10,15 @@
 
 namespace ridgeline::evaluate {
 
-/// What a figure is measured in, which decides the limits and the allowance that it can have.
+/// The unit of a figure, which determines its possible limits and allowances.
 enum class MetricUnit : std::uint8_t { kMetres, kShare };
 
-/// A figure that can be gated.
+/// A figure that a gate can check.
 struct Metric {
   std::string_view name;
   std::string_view meaning;  ///< a few words, for the list of metrics
   MetricUnit unit;
-  bool is_signed = false;  ///< a limit on one side says little, a ratio to a class nothing
+  bool is_signed = false;  ///< a one-sided limit says little, a ratio between classes nothing
 };
 
 /// Figures of a class of Table 2: rms_m, q95_m, evaluated_share, ...
@@ -30,44 +30,43 @@ std::vector<Metric> matching_metrics();
 /// Figures of tracks: edge_recall, observation_recall, observation_precision.
 std::vector<Metric> track_metrics();
 
-/// Figures of buildings, whose lines name them: buildings_within_m.
+/// Figures of the buildings named by the lines: buildings_within_m.
 std::vector<Metric> building_metrics();
 
-/// Figures of lines that were moved on purpose: decoy_share.
+/// Figures of decoys: decoy_share.
 std::vector<Metric> decoy_metrics();
 
-/// A metric of any kind by its name; empty if there is none.
+/// A metric of any kind by its name; empty for an unknown name.
 std::optional<Metric> find_metric(std::string_view name);
 bool is_matching_metric(std::string_view name);
 bool is_track_metric(std::string_view name);
 bool is_building_metric(std::string_view name);
 bool is_decoy_metric(std::string_view name);
-/// Whether the figure has an interval by a bootstrap over clusters.
+/// Whether the figure has an interval from a bootstrap over clusters.
 bool has_clustered_interval(std::string_view name);
 
-/// The figure of a class by the name of its metric; empty if the class does not have it.
+/// The value of a metric for a class; empty if the class does not have it.
 /// Throws std::invalid_argument for a name that is not in accuracy_metrics().
 std::optional<double> metric_value(const Summary& summary, std::string_view metric);
 
-/// The figure of matching by the name of its metric; empty if its denominator is 0.
+/// The value of a matching metric; empty if its denominator is 0.
 /// Throws std::invalid_argument for a name that is not in matching_metrics().
 std::optional<double> metric_value(const MatchCounts& counts, std::string_view metric);
 
-/// The figure of tracks by the name of its metric, and the number that it rests on: its
-/// denominator. Throw as above.
+/// The value of a track metric, and its denominator. Both throw as above.
 std::optional<double> metric_value(const TrackCounts& counts, std::string_view metric);
 std::size_t metric_count(const TrackCounts& counts, std::string_view metric);
 
-/// The 95 % interval of a figure; empty if the figure has none. Throws as metric_value() does.
+/// The 95 % interval of a figure; empty if the figure has none. Throws like metric_value().
 std::optional<Interval> metric_interval(const Summary& summary, std::string_view metric);
 std::optional<Interval> metric_interval(const MatchCounts& counts, std::string_view metric);
 
-/// Number of lines that a figure rests on: all lines for evaluated_share and
-/// evaluated_share_by_length, the ridges and hips for horizontal and vertical parts, else the
+/// Number of lines on which a figure is based: all lines for evaluated_share and
+/// evaluated_share_by_length, the ridges and hips for horizontal and vertical components, else the
 /// evaluated lines.
 std::size_t metric_count(const Summary& summary, std::string_view metric);
 
-/// Number of matches that a figure rests on: its denominator. Throws as metric_value() does.
+/// Number of matches on which a figure is based, i.e. its denominator. Throws like metric_value().
 std::size_t metric_count(const MatchCounts& counts, std::string_view metric);
 
 }  // namespace ridgeline::evaluate

@@ -14,7 +14,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// Whether a segment continues, in the image `own`, an edge that the other segment lies on.
+/// Whether a segment continues, in the image `own`, an edge on which the other segment lies.
 bool continues_edge_of_other(const Segment2& segment,
                              const std::vector<Beside>& of_other,
                              std::span<const ReferenceEdge> edges,
@@ -24,7 +24,7 @@ bool continues_edge_of_other(const Segment2& segment,
   });
 }
 
-/// The edges that each segment lies on, in ascending order.
+/// The edges on which each segment lies, in ascending order.
 std::vector<std::vector<Beside>> edges_of(std::span<const Segment2> segments,
                                           std::span<const ReferenceEdge> edges,
                                           Segment2 ReferenceEdge::*image) {
@@ -74,7 +74,7 @@ std::vector<std::vector<OnEdge>> segments_of_edges(const std::vector<std::vector
   return segments;
 }
 
-/// For each right segment, the stretches of edges that its matched left segments lie on.
+/// For each right segment, the parts of edges on which its matched left segments lie.
 using Taken = std::map<int, std::vector<Beside>>;
 
 Taken taken_segments(std::span<const Correspondence> matches,
@@ -95,7 +95,7 @@ bool is_free(const Taken& taken, int right, const Beside& wanted) {
   });
 }
 
-/// The edges that the segments of both images lie on.
+/// The edges on which the segments of both images lie.
 struct OnEdges {
   OnEdges(std::span<const Segment2> left_segments,
           std::span<const Segment2> right_segments,
@@ -136,7 +136,8 @@ void add(MatchVerdict verdict, MatchingScore& score) {
   if (verdict == MatchVerdict::kFalse) ++score.counts.n_false;
 }
 
-/// Left segments without a match with a free segment on their edge, with that segment.
+/// The unmatched left segments for which there is a free right segment on the same edge, each with
+/// that segment.
 std::vector<Correspondence> missed_matches(std::span<const Correspondence> matches,
                                            const OnEdges& on_edges,
                                            std::size_t n_edges) {

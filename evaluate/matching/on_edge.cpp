@@ -9,12 +9,12 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kMaxDistance_px = 2.0;  // of a segment from the edge it lies on, at both ends
-constexpr double kMaxAngle_deg = 10.0;   // between both: 2 px at both ends of the shortest
-constexpr double kMinOverlap = 0.5;      // share of the shorter of both that is beside the other
+constexpr double kMaxDistance_px = 2.0;  // between a segment and its edge, at both ends
+constexpr double kMaxAngle_deg = 10.0;   // between the two: 2 px at both ends of the shortest
+constexpr double kMinOverlap = 0.5;      // share of the shorter one that is alongside the other
 
 /// Share of kMaxDistance_px up to which a segment certainly shows the edge. Shadows and gutters run
-/// along edges a few pixels away.
+/// along edges at a distance of a few pixels.
 constexpr double kCertain = 0.5;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {

@@ -8,22 +8,23 @@
 
 namespace ridgeline::evaluate {
 
-/// Stretch of an edge that a segment runs beside, as parameters of the edge, ascending.
+/// The part of an edge alongside a segment, as ascending parameters of the edge.
 struct Beside {
   int edge = 0;
   double from = 0.0, to = 0.0;
-  double distance_px = 0.0;  ///< the larger one of both ends
+  double distance_px = 0.0;  ///< the larger of those at both ends
 };
 
-/// The stretch of the edge that the segment lies on; nothing unless it lies on the edge, see
+/// The part of the edge on which the segment lies; empty if it does not lie on the edge, see
 /// score_matches().
 std::optional<Beside> lies_on(const Segment2& segment, const Segment2& edge);
 
-/// Whether the segment lies on the edge when this is extended by its own length at both ends. The
-/// reference cannot tell what is visible there.
+/// Whether the segment lies on the edge after extending the edge by its own length at both ends.
+/// The reference does not say what is visible there.
 bool continues(const Segment2& segment, const Segment2& edge);
 
-/// Whether the segment lies so close that it shows the edge and not a shadow or gutter along it.
+/// Whether the segment is so close that it shows the edge itself rather than a shadow or gutter
+/// along it.
 bool is_certain(const Beside& beside);
 
 }  // namespace ridgeline::evaluate

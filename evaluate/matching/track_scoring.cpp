@@ -14,7 +14,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// The edges that a segment lies on, each with whether that is certain.
+/// The edges on which a segment lies, with a flag for whether it certainly does.
 using EdgesBeside = std::map<std::size_t, bool>;
 
 /// How well an edge fits a track.
@@ -29,7 +29,8 @@ std::size_t n_views_of(const TrueEdge& edge) {
   return views.size();
 }
 
-/// The cells that an edge counts in: its class and all, its number of images and all.
+/// The cells in which an edge counts: its class and all classes, its number of images and all
+/// numbers.
 class CountedCells {
  public:
   explicit CountedCells(std::span<const TrueEdge> edges) : edges_(edges) {

@@ -18,7 +18,7 @@ std::string flags_text(const AccuracyStatement& statement) {
 }
 
 /// The figures in the style of ASPRS Edition 2 (RMSE) and of NSSDA (1.9600 RMSE, its factor for
-/// heights, as a distance has one dimension); "" if there is no RMSE.
+/// heights, because a distance is one-dimensional); "" if there is no RMSE.
 std::string style_sentence(const AccuracyStatement& total) {
   constexpr double kNssdaVertical = 1.9600;
   const std::optional<double> rmse_m = total.numbers.product_m;

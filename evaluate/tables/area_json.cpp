@@ -21,8 +21,9 @@ std::string vector_text(const Eigen::Vector3d& x) {
   return fmt::format(" {:.6g} {:.6g} {:.6g}", x.x(), x.y(), x.z());
 }
 
-/// "7 12 height 0.5 0.4871": its number, line, kind and distance, and its mean distance from its
-/// planes, or "-" if it was not evaluated. Of a line elsewhere its ends and its planes follow.
+/// "7 12 height 0.5 0.4871": the decoy's number, line, kind and displacement, and its mean distance
+/// from its planes, or "-" if it was not evaluated. For a line moved elsewhere, its ends and planes
+/// follow.
 std::string decoy_text(const JudgedDecoy& judged) {
   const auto& [parent, kind, distance_m, line, number] = judged.decoy;
   std::string text = fmt::format("{} {} {} {}", number, parent, name(kind), distance_m);

@@ -8,14 +8,15 @@
 
 namespace ridgeline::evaluate {
 
-/// What `evaluation.METHOD.json` holds of an area, but for the numbers of the lines, which stand
-/// with the lines. Of a decoy it has the line that was moved, the way and what came out.
+/// The part of `evaluation.METHOD.json` that describes an area, except the line numbers, which are
+/// stored with the lines. For a decoy it contains the line that was moved, how it was moved, and
+/// the result.
 Json area_json(const AreaPart& area);
-/// Reads what area_json() wrote. Throws std::invalid_argument for anything else.
+/// Reads the output of area_json(). Throws std::invalid_argument for anything else.
 AreaPart parse_area(const Json& json);
 
-/// JudgingPlane::points as text: their number, then line, plane and number of those that are
-/// shared.
+/// JudgingPlane::points as text: the number of points, then line, plane and number of shared
+/// points.
 std::string points_text(const PlanePoints& points);
 /// The inverse. Throws std::invalid_argument for other text.
 PlanePoints parse_points(const std::string& text);

@@ -9,22 +9,22 @@
 
 namespace ridgeline::evaluate {
 
-// Cells that several tables have.
+// Cells used by several tables.
 
 /// An interval with three decimals, "0.140 - 0.166"; "-" if there is none.
 std::string interval_text(const std::optional<Interval>& interval_m);
-/// The interval of the RMS, with "(too few clusters)" behind it if that makes it unreliable.
+/// The interval of the RMS, followed by "(too few clusters)" if that makes it unreliable.
 std::string interval_text(const Summary& summary);
-/// The RMS in metres with the numbers of evaluated and of all lines, "0.152 (12/14)"; "-" for
+/// The RMS in metres with the numbers of evaluated lines and of all lines, "0.152 (12/14)"; "-" for
 /// nullptr.
 std::string rms_text(const Summary* summary);
-/// The same of the lines that plan and images decided on, and behind it that of the lines that
-/// points or the place did, if there are any: "0.152 (12/14) + 0.634 (2/14)".
+/// The same for the lines decided by plan and images, followed by that for lines decided by points
+/// or place, if any: "0.152 (12/14) + 0.634 (2/14)".
 std::string headline_text(const Summary* summary);
 
 /// A row of a table of classes.
 struct ClassRow {
-  /// "total"; of a class with groups "total plan_images", "total points_place" and "total all".
+  /// "total"; for a class with groups "total plan_images", "total points_place" and "total all".
   std::string name;
   Summary figures;
 };

@@ -10,8 +10,8 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// What `read` makes of the JSON. An exception of the JSON library, for a key that is missing or of
-/// a wrong type, becomes std::invalid_argument.
+/// Calls `read` and converts exceptions of the JSON library, for a missing key or a wrong type, to
+/// std::invalid_argument.
 template <typename Read>
 auto read_or_throw(const char* what, const Read& read) {
   try {

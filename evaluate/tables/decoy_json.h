@@ -11,16 +11,16 @@
 
 namespace ridgeline::evaluate {
 
-/// The figures of the decoys as `evaluation.METHOD.json` holds them, one object for each kind and
+/// The figures of the decoys in the format of `evaluation.METHOD.json`, one object per kind and
 /// distance.
 Json decoys_json(std::span<const DecoyFigure> decoys);
-/// Reads what decoys_json() wrote. Throws std::invalid_argument "what: value; rule" for anything
+/// Reads the output of decoys_json(). Throws std::invalid_argument "what: value; rule" for anything
 /// else.
 std::vector<DecoyFigure> parse_decoys(const Json& json);
 
-/// The comparison with the same lines elsewhere; null if there is none.
+/// The comparison with the same lines elsewhere; null if it was not made.
 Json following_json(const std::optional<CloudFollowing>& following);
-/// Reads what following_json() wrote. Throws as parse_decoys().
+/// Reads the output of following_json(). Throws like parse_decoys().
 std::optional<CloudFollowing> parse_following(const Json& json);
 
 }  // namespace ridgeline::evaluate

@@ -8,19 +8,19 @@
 
 namespace ridgeline::evaluate {
 
-/// How many of the decoys pass by kind and distance, in one table; "" if no lines were moved.
+/// A table of the shares of decoys that pass, by kind and distance; "" without decoys.
 std::string decoys_to_terminal(std::span<const Evaluation> evaluations);
 
-/// The decoys of one evaluation with their intervals, and what they show; "" if no lines were
-/// moved.
+/// The figures of the decoys of one evaluation with intervals and an explanation; "" without
+/// decoys.
 std::string decoys_to_markdown(const Evaluation& evaluation);
 
-/// kind,distance_m,n_lines,n_decoys,share,ci95_low,ci95_high,withheld_share,n_clusters behind
-/// patch,method.
+/// Columns patch,method,kind,distance_m,n_lines,n_decoys,share,ci95_low,ci95_high,withheld_share,
+/// n_clusters.
 std::string decoys_to_csv(std::span<const Evaluation> evaluations);
 
-/// A sentence for lines that fit hardly better where they lie than elsewhere; "" for others and if
-/// nobody can tell.
+/// A sentence if the lines barely fit better in place than elsewhere; "" otherwise, and if this
+/// cannot be determined.
 std::string following_note(const Evaluation& evaluation);
 
 }  // namespace ridgeline::evaluate

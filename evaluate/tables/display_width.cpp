@@ -13,7 +13,7 @@ struct CharacterRange {
 
 constexpr char32_t kReplacement = 0xFFFD;
 
-/// The combining marks and joiners of Unicode that may occur in names.
+/// The Unicode combining marks and joiners that may occur in names.
 constexpr std::array kNoWidth{CharacterRange{0x0300, 0x036F}, CharacterRange{0x200B, 0x200F},
                               CharacterRange{0x20D0, 0x20FF}, CharacterRange{0xFE00, 0xFE0F},
                               CharacterRange{0xFE20, 0xFE2F}};
@@ -34,14 +34,14 @@ bool is_in(const std::array<CharacterRange, N>& ranges, char32_t c) {
 
 bool is_control(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0); }
 
-/// Number of bytes that follow the first byte of a character; 0 for a byte that cannot begin one.
+/// Number of bytes that follow the first byte of a character; 0 for a byte that cannot start one.
 std::size_t n_following(unsigned char first) {
   if (first < 0xC2 || first > 0xF4) return 0;
   if (first >= 0xF0) return 3;
   return first >= 0xE0 ? 2 : 1;
 }
 
-/// Returns the character at `at` and moves `at` behind it; U+FFFD for a byte that belongs to no
+/// Returns the character at `at` and moves `at` past it; U+FFFD for a byte that is not part of a
 /// character.
 char32_t next(std::string_view text, std::size_t& at) {
   const auto first = static_cast<unsigned char>(text[at++]);

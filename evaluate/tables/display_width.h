@@ -7,13 +7,13 @@
 
 namespace ridgeline::evaluate {
 
-/// Number of columns that `text` (UTF-8) takes in a terminal: none for combining marks, two for the
-/// wide characters of East Asia and emoji. A byte that is no UTF-8 takes one column, as the sign
-/// shown for it does.
+/// Number of columns that `text` (UTF-8) takes in a terminal: zero for combining marks, two for
+/// wide East Asian characters and emoji. An invalid UTF-8 byte takes one column, like its
+/// replacement character.
 std::size_t display_width(std::string_view text);
 
-/// `text` on one line, without what would move the cursor or colour the terminal: control
-/// characters become blanks, bytes that are no UTF-8 become U+FFFD.
+/// `text` on one line, unable to move the cursor or colour the terminal: control characters become
+/// blanks, and invalid UTF-8 bytes become U+FFFD.
 std::string printable(std::string_view text);
 
 }  // namespace ridgeline::evaluate

@@ -38,8 +38,8 @@ Json plane_json(const JudgingPlane& p, const Eigen::Vector3d& origin_m) {
   return json;
 }
 
-/// The displacement of a ridge; null if there is none: no ridge, or planes that are too parallel or
-/// too little known.
+/// The displacement of a ridge; null if the line is not a ridge, or if its planes are too parallel
+/// or too uncertain.
 Json displacement_json(const std::optional<RidgeDisplacement>& d) {
   if (!d) return nullptr;
   return {{"horizontal_m", number_json(d->horizontal_m)},

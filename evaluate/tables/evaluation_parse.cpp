@@ -44,7 +44,7 @@ double number(const Json& object, const char* key) {
   return *value;
 }
 
-/// A whole number of type T, not negative.
+/// A non-negative integer of type T.
 template <typename T>
 T count(const Json& object, const char* key) {
   const Json& value = member(object, key);
@@ -85,7 +85,7 @@ Kind parse_kind(const Json& line) {
   return kind == "step" ? Kind::kStep : Kind::kRidge;
 }
 
-/// The value of type T, of `n_values`, whose name stands there; nothing for null and without the
+/// The enumerator of T, one of `n_values`, with the given name; std::nullopt for null or a missing
 /// key.
 template <typename T>
 std::optional<T> named_if_any(const Json& object, const char* key, int n_values) {
@@ -100,7 +100,7 @@ std::optional<T> named_if_any(const Json& object, const char* key, int n_values)
 }
 
 JudgingPlane parse_plane(const Json& json, const Eigen::Vector3d& origin_m) {
-  constexpr double kUnitTolerance = 1e-6;  // a normal typed with few digits is caught, not scaled
+  constexpr double kUnitTolerance = 1e-6;  // a normal with too few digits is rejected, not rescaled
   const Eigen::Vector3d normal = vector(json, "normal");
   check(std::abs(normal.norm() - 1.0) < kUnitTolerance, "normal: length ", normal.norm(),
         "; must be 1");
@@ -174,7 +174,7 @@ LineEvaluation parse_line(const Json& json, const Eigen::Vector3d& origin_m) {
   line.surface_other = named_if_any<JudgingSurface>(json, "surface_other", kNumSurfaces);
   line.surface_probability = number_if_any(json, "surface_probability");
   line.decided_by = named_if_any<DecidedBy>(json, "decided_by", kNumDecidedBy);
-  // null stands for the length of a line whose coordinates are not finite
+  // the length is null for a line with non-finite coordinates
   line.length_m = number_if_any(json, "length_m").value_or(0.0);
   line.epipolar_angle_deg = number_if_any(json, "epipolar_angle_deg");
   if (json.contains("n_images")) line.n_images = count<int>(json, "n_images");

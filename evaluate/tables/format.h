@@ -7,11 +7,11 @@
 
 namespace ridgeline::evaluate {
 
-/// Tables print metres to the millimetre, as the published tables do: a tenth of the accuracy of
-/// the LIDAR. All renderings of a table but JSON use it, so they agree to the printed digit.
+/// Tables show metres to the millimetre, like the published tables: a tenth of the accuracy of the
+/// LIDAR. All renderings of a table except JSON use it, so they agree to the last printed digit.
 inline constexpr int kMetreDecimals = 3;
 
-/// What stands for a figure that does not exist; never 0.000.
+/// Shown for a missing figure instead of 0.000.
 inline constexpr std::string_view kNoValue = "-";
 
 /// Fixed-point decimal; `missing` for an empty or non-finite value. Never "-0.000".
@@ -21,16 +21,16 @@ inline std::string metres(std::optional<double> value_m, std::string_view missin
   return fixed(value_m, kMetreDecimals, missing);
 }
 
-/// A share as percent with one decimal and without the sign: 0.971 -> "97.1".
+/// A share in percent with one decimal, without the percent sign: 0.971 -> "97.1".
 std::string percent(std::optional<double> share);
 
-std::string escape_csv(std::string_view text);  ///< quoted where RFC 4180 asks for it
-/// `text` for a cell of a Markdown table: on one line, with markup escaped. An underscore stays, as
-/// it is literal within a word.
+std::string escape_csv(std::string_view text);  ///< quoted where RFC 4180 requires it
+/// `text` for a cell of a Markdown table: on one line, with markup escaped. Underscores are kept,
+/// because they are literal within a word.
 std::string escape_markdown(std::string_view text);
 std::string escape_latex(std::string_view text);
-/// `text` for XML elements and attribute values. Control characters, which XML 1.0 cannot hold,
-/// become U+FFFD; line feed and tab stay.
+/// `text` for XML elements and attribute values. Control characters, which XML 1.0 does not allow,
+/// become U+FFFD; line feeds and tabs are kept.
 std::string escape_xml(std::string_view text);
 
 }  // namespace ridgeline::evaluate

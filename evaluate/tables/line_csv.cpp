@@ -50,7 +50,7 @@ std::string surface_columns(const LineEvaluation& line) {
                      figure_text(line.surface_probability), name(line.decided_by));
 }
 
-/// The columns that only lines have that were moved before they were judged.
+/// The additional columns for lines that were moved before they were judged.
 std::string moved_columns(const Evaluation& evaluation) {
   if (!evaluation.shift || !evaluation.shift->applied) return "";
   const Eigen::Vector3d by_m = -evaluation.shift->shift_m;

@@ -8,11 +8,11 @@
 
 namespace ridgeline::evaluate {
 
-/// The shift as `evaluation.METHOD.json` holds it; null if there is none. An axis that the planes
-/// do not tell is null.
+/// The shift in the format of `evaluation.METHOD.json`; null if there is none. An axis that the
+/// planes do not determine is null.
 Json shift_json(const std::optional<ConstantShift>& shift);
 
-/// Reads what shift_json() wrote. Throws std::invalid_argument "what: value; rule" for anything
+/// Reads the output of shift_json(). Throws std::invalid_argument "what: value; rule" for anything
 /// else.
 std::optional<ConstantShift> parse_shift(const Json& json);
 

@@ -28,9 +28,10 @@ std::string along_text(const ConstantShift& shift, const Eigen::Vector3d& direct
       kHalfWidth95 * std::sqrt(std::max(0.0, direction.dot(shift.covariance_m2 * direction))));
 }
 
-/// The shift along a direction that is none of the axes, where the planes tell such a one; else "".
+/// The shift along a direction other than the axes, if the planes determine such a direction; else
+/// "".
 std::string oblique_text(const ConstantShift& shift) {
-  constexpr double kLevel = 0.1;  // most height of an unobservable direction that lies in the plan
+  constexpr double kLevel = 0.1;  // maximum z component of a horizontal unobservable direction
   const auto& [x, y, z] = shift.axes;
   if (x.shift_m || y.shift_m) return "";
   if (shift.unobservable.size() == 1 && std::abs(shift.unobservable[0].z()) < kLevel) {
@@ -41,7 +42,7 @@ std::string oblique_text(const ConstantShift& shift) {
     return fmt::format("towards azimuth {:.0f} degrees {}", azimuth_deg, along_text(shift, told));
   }
   if (z.shift_m || shift.unobservable.size() == 3) return "";
-  // planes of one slope tell one direction, those of two slopes two
+  // planes of one orientation determine one direction, planes of two orientations two
   const Eigen::Vector3d told = shift.shift_m.normalized();
   return fmt::format("along ({:.2f}, {:.2f}, {:.2f}) {}", told.x(), told.y(), told.z(),
                      along_text(shift, told));

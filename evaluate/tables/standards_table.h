@@ -8,7 +8,7 @@
 
 namespace ridgeline::evaluate {
 
-/// The blocks of one method on one patch.
+/// The standards blocks of one method on one patch.
 struct StandardsRow {
   std::string patch, method;
   std::vector<StandardsBlock> blocks;
@@ -17,8 +17,7 @@ struct StandardsRow {
 /// ASPRS, NSSDA and the uncertainty budget by class, then the measures of ISO 19157 of `total`.
 std::string standards_to_markdown(const std::vector<StandardsBlock>& blocks);
 
-/// `patch,method,class,iso19157_id,measure,value,unit,n`; a value that does not exist is an empty
-/// field.
+/// `patch,method,class,iso19157_id,measure,value,unit,n`; missing values are left empty.
 std::string measures_to_csv(const std::vector<StandardsRow>& rows);
 
 /// The measures of `total` as DQ_* elements with DQ_QuantitativeResult, in the encoding of ISO/TS

@@ -10,20 +10,20 @@
 
 namespace ridgeline::evaluate {
 
-/// Keys stay in the order of writing.
+/// Keeps keys in insertion order.
 using Json = nlohmann::ordered_json;
 
-/// A number, or null where there is none: JSON has no NaN.
+/// A number, or null if it is missing or not finite: JSON has no NaN.
 inline Json number_json(std::optional<double> value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
 Json interval_json(const std::optional<Interval>& interval);  ///< [low, high] or null
 
-/// Every figure of a summary but its class and its groups, in full precision.
+/// Every figure of a summary except its class and groups, in full precision.
 Json summary_json(const Summary& summary);
 
-/// The same of a class, with `decided_by`: the figures of each of kDecidedGroups by name.
+/// The same for a class, with `decided_by`: the figures of each of kDecidedGroups, by name.
 Json class_json(const Summary& summary);
 
 /// Indented text with a final line feed; bytes that are not UTF-8 become U+FFFD.

@@ -13,19 +13,19 @@ namespace ridgeline::evaluate {
 struct Table1Row {
   std::string patch, matcher;
   MatchCounts counts;
-  /// Matches that the reference says nothing about (texture, shadows). They count in no figure of
-  /// the table.
+  /// Matches that the reference cannot judge (texture, shadows). No figure of the table includes
+  /// them.
   std::size_t n_unjudged = 0;
 };
 
-/// What the true tracks of a patch say of its tracks; see score_tracks().
+/// The comparison of a patch's tracks with its true tracks; see score_tracks().
 struct PatchTracks {
   std::string patch;
   std::vector<TrackCell> cells;
-  std::size_t n_unjudged = 0;  ///< observations that the reference says nothing about
+  std::size_t n_unjudged = 0;  ///< observations that the reference cannot judge
 };
 
-/// Quality of line matching (Ok et al. 2011, Table 1), by number of matches, and of tracks over
+/// Quality of line matching (Ok et al. 2011, Table 1), by number of matches, and of the tracks over
 /// several images.
 struct Table1 {
   std::vector<Table1Row> rows;
@@ -49,8 +49,8 @@ std::string to_tracks_csv(const Table1& table);
 /// edges, ...}]}].
 std::string to_json(const Table1& table);
 
-/// Reads the counts of what to_json() wrote; the figures follow from them.
-/// Throws std::invalid_argument for text that is no such table.
+/// Reads the counts from the output of to_json(); the figures are computed from them.
+/// Throws std::invalid_argument for any other text.
 Table1 parse_table1(std::string_view json);
 
 }  // namespace ridgeline::evaluate

@@ -78,7 +78,7 @@ std::string companions_markdown(const Table2& table) {
   return written.text(Markup::kMarkdown);
 }
 
-/// The table of the parts of ridges and hips below its caption; "" if there are none.
+/// The table of the error components of ridges and hips with its caption; "" if there are none.
 std::string parts_markdown(const Table2& table) {
   PrintedTable written(
       {"patch", "method", "class", "n:", "RMSE horizontal:", "RMSE vertical:", "mean vertical:"});
@@ -96,7 +96,7 @@ std::string parts_markdown(const Table2& table) {
 }
 
 /// Whether a result has the classes aligned and not_aligned. A result without lines has both, so it
-/// counts only if no result has lines.
+/// is only considered if no result has lines.
 bool has_classes(const Table2& table) {
   const auto is_empty = [](const PatchMethodResult& result) {
     const Summary* total = find_class(result.classes, kTotal);
@@ -108,7 +108,7 @@ bool has_classes(const Table2& table) {
   });
 }
 
-/// Why direct and joint differ on not_aligned lines; "" if they are equal.
+/// Why direct and joint differ on not_aligned lines; "" if they do not.
 std::string_view faces_note(const Table2& table) {
   const auto has = [&](std::string_view method) {
     return std::ranges::any_of(table.results,
@@ -120,7 +120,7 @@ std::string_view faces_note(const Table2& table) {
          "are equal.";
 }
 
-/// What stands behind a + in a cell; "" if nothing does.
+/// Explains the figure after a + in a cell; "" if there is none.
 std::string_view groups_note(const Table2& table) {
   const bool has_groups = std::ranges::any_of(table.results, [](const PatchMethodResult& result) {
     return std::ranges::any_of(result.classes,
@@ -131,14 +131,14 @@ std::string_view groups_note(const Table2& table) {
          "decided by points or the line's own position.";
 }
 
-/// The columns by how much the lines of a result were moved, empty for lines that were not.
+/// The columns with the displacement of a result's lines; empty if they were not moved.
 std::string moved_cells(const PatchMethodResult& result) {
   if (!result.moved_m) return ",,,";
   const Eigen::Vector3d& by_m = *result.moved_m;
   return fmt::format(",{},{},{}", metres(by_m.x()), metres(by_m.y()), metres(by_m.z()));
 }
 
-/// The footnote as a line that begins with `before`; "" without a footnote.
+/// The footnote as a line starting with `before`; "" without a footnote.
 std::string footnote_line(const Table2& table, std::string_view before) {
   const std::string note = footnote(table);
   return note.empty() ? "" : fmt::format("{}{}\n", before, note);

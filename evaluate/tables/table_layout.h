@@ -15,12 +15,12 @@ struct Table2Layout {
     std::vector<const Summary*> cells;  ///< methods x classes; nullptr for a cell without figures
   };
   std::vector<std::string> methods;
-  std::vector<std::string> classes;  ///< not_aligned, aligned, total; or total alone
+  std::vector<std::string> classes;  ///< not_aligned, aligned, total; or only total
   std::vector<LayoutRow> rows;
 };
 
-/// The layout of a table, with patches and methods in order of first appearance. It points into
-/// `table`.
+/// The layout of a table, with patches and methods in order of first appearance. Its pointers refer
+/// to `table`.
 Table2Layout lay_out(const Table2& table);
 
 }  // namespace ridgeline::evaluate

@@ -20,7 +20,7 @@ bool has_ridges(const Table2& table) {
   });
 }
 
-/// How few lines make each headline what it is, a line of text a result.
+/// How few lines dominate each headline figure, one line of text per result.
 std::string squares_notes(const Table2& table) {
   std::string text;
   for (const PatchMethodResult& result : table.results) {
@@ -38,7 +38,7 @@ std::string squares_notes(const Table2& table) {
   return text;
 }
 
-/// The tracks by number of images, all classes together.
+/// The tracks by number of images, for all classes combined.
 PrintedTable tracks_in_short(const Table1& table) {
   PrintedTable written({"patch", "images", "edges:", "found:", "edge recall %:",
                         "observation recall %:", "observation precision %:"});

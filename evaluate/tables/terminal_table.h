@@ -8,12 +8,12 @@
 
 namespace ridgeline::evaluate {
 
-// The main figures in aligned columns of plain text. The files of the results have all figures.
+// The main figures in aligned columns of plain text. The result files contain all figures.
 
 /// Counts, correctness and completeness of the matches; "" if the table has no rows.
 std::string to_terminal(const Table1& table);
 
-/// Distances of the lines from LIDAR planes, with the columns of ridges only if there are ridges.
+/// Distances of the lines from LIDAR planes; columns for ridges only if there are ridges.
 std::string to_terminal(const Table2& table);
 
 }  // namespace ridgeline::evaluate

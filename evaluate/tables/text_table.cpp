@@ -10,7 +10,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr std::size_t kMaxWidth = 100;  // columns; a terminal that is not narrow has as many
+constexpr std::size_t kMaxWidth = 100;  // columns; most terminals have as many
 constexpr std::size_t kGap = 2;
 
 }  // namespace
@@ -64,8 +64,7 @@ std::string PrintedTable::markdown_row(std::size_t row) const {
   return text + "\n";
 }
 
-/// Whether a plain table shows a column. It shows all keys, and the columns in which a row has a
-/// figure.
+/// Whether a plain table shows a column: all keys, and columns with a figure in at least one row.
 bool PrintedTable::has_figures(std::size_t column) const {
   if (columns_[column].part == 0 || rows_.empty()) return true;
   return std::ranges::any_of(rows_,

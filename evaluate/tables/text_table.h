@@ -12,23 +12,23 @@
 
 namespace ridgeline::evaluate {
 
-/// What a text is written for: a terminal, or a page that shows Markdown.
+/// The target of a text: a terminal, or a page that renders Markdown.
 enum class Markup : std::uint8_t { kPlain, kMarkdown };
 
-/// A foreign `text`, such as a file's name, made safe for a sentence: its Markdown is escaped; for
-/// a terminal its control characters are replaced.
+/// Makes foreign text, such as a file name, safe for use in a sentence: escapes Markdown, or
+/// replaces control characters for a terminal.
 std::string in_sentence(std::string_view text, Markup markup);
 
-/// A table of text that can be written for every Markup. Cells are given as they shall be read;
-/// what Markdown takes for markup is escaped when the table is written.
+/// A table of text that can be written for every Markup. Cells are given as plain text; Markdown
+/// syntax is escaped when the table is written.
 class PrintedTable {
  public:
-  /// A column whose title ends in a colon is flush right: "RMS:".
+  /// A column whose title ends in a colon is right-aligned: "RMS:".
   explicit PrintedTable(const std::vector<std::string>& columns) : PrintedTable(columns, {}) {}
 
-  /// `keys` are the titles of the columns that tell the rows apart, `parts` those of their figures,
-  /// in groups. If a plain table with several groups is too wide for a terminal, each group becomes
-  /// a block that repeats the keys.
+  /// `keys`: titles of the columns that identify a row. `parts`: titles of the figure columns, in
+  /// groups. If a plain table with several groups is too wide for a terminal, each group becomes a
+  /// block that repeats the keys.
   PrintedTable(const std::vector<std::string>& keys,
                const std::vector<std::vector<std::string>>& parts);
 
@@ -39,8 +39,8 @@ class PrintedTable {
   }
   void add_row(std::vector<std::string> cells);
 
-  /// Adds a sentence to the row that was added last. It stands below the row in plain text, and at
-  /// the end of the row's last cell in Markdown.
+  /// Adds a sentence to the most recently added row. It is printed below the row in plain text and
+  /// at the end of the row's last cell in Markdown.
   void add_note(std::string note) { rows_.back().note = std::move(note); }
 
   [[nodiscard]] bool empty() const { return rows_.empty(); }
@@ -54,7 +54,7 @@ class PrintedTable {
   struct ColumnLayout {
     std::string title;
     bool is_right = false;
-    std::size_t part = 0;  ///< 0 for a key, else the place of its group in `parts`, from 1
+    std::size_t part = 0;  ///< 0 for a key, else the 1-based position of its group in `parts`
   };
   struct PrintedRow {
     std::vector<std::string> cells;
@@ -72,11 +72,11 @@ class PrintedTable {
   std::vector<PrintedRow> rows_;
 };
 
-/// A table below its caption.
+/// A table with its caption above it.
 std::string captioned(std::string_view caption, const PrintedTable& table, Markup markup);
 
-/// Sentences as a paragraph. For a terminal it is broken between words into lines that are no wider
-/// than tables; in Markdown it is not changed.
+/// Sentences as a paragraph. For a terminal, lines are wrapped at the maximum width of tables;
+/// Markdown is unchanged.
 std::string paragraph(std::string_view sentences, Markup markup);
 
 }  // namespace ridgeline::evaluate

@@ -17,7 +17,7 @@ struct ToleranceRow {
 };
 
 /// `patch,method,reference,tolerance_m,precision,completeness,f_score,redundancy,limap_r_m,
-/// limap_p_percent`; a figure that does not exist is an empty field.
+/// limap_p_percent`; missing values are left empty.
 std::string tolerances_to_csv(const std::vector<ToleranceRow>& rows);
 std::string tolerances_to_markdown(const std::vector<ToleranceRow>& rows);
 

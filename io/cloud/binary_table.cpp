@@ -28,7 +28,7 @@ class BinaryTableSource : public CloudSource {
 
   void release_blocks(std::size_t first, std::size_t count) const override {
     if (!std::holds_alternative<MappedFile>(table_.storage)) return;
-    const std::size_t row_size = table_.columns.front().stride;  // a mapped table lies row by row
+    const std::size_t row_size = table_.columns.front().stride;  // a mapped table is row-wise
     const std::size_t begin = std::min(first * kBlockSize * row_size, table_.bytes.size());
     const std::size_t size = std::min(count * kBlockSize * row_size, table_.bytes.size() - begin);
     MappedFile::release(table_.bytes.subspan(begin, size));
@@ -55,8 +55,8 @@ class BinaryTableSource : public CloudSource {
   BinaryTable table_;
 };
 
-/// Whether the column's values of `n_rows` rows lie within `n_bytes`. The claimed number of rows
-/// may be anything, so it is divided and not multiplied.
+/// Whether the column's values in `n_rows` rows lie within `n_bytes`. The claimed number of rows
+/// may be anything, so the check divides rather than multiplies.
 bool fits(const TableColumn& column, std::uint64_t n_rows, std::uint64_t n_bytes) {
   const std::uint64_t size = size_of(column.type);
   if (n_rows == 0) return true;

@@ -24,20 +24,20 @@ struct TableColumn {
 
 /// Rows of numbers, row by row (PLY, PCD binary) or column by column (PCD binary_compressed).
 struct BinaryTable {
-  /// The owner of `bytes`: the mapped file, or the numbers unpacked from it. With std::monostate
-  /// the caller keeps them alive.
+  /// Owns `bytes`: the mapped file, or the numbers unpacked from it. With std::monostate, the
+  /// caller keeps the bytes alive.
   std::variant<MappedFile, std::vector<std::byte>, std::monostate> storage;
   std::span<const std::byte> bytes{};
   std::vector<TableColumn> columns{};
   bool is_big_endian = false;
 };
 
-/// A source over `table`, with info.n_points rows.
-/// Throws IoError if a coordinate column is missing or a column runs past the bytes.
+/// Opens `table` as a source with info.n_points rows.
+/// Throws IoError if a coordinate column is missing or a column extends beyond the bytes.
 std::unique_ptr<CloudSource> open_binary_table(BinaryTable table, CloudFileInfo info);
 
 /// Checks that x, y and z are among the columns of a binary or text table.
-/// Throws IoError naming the missing one.
+/// Throws IoError, naming the missing one, if they are not.
 void check_coordinates(std::span<const PointAttribute> attributes, const std::string& path);
 
 }  // namespace ridgeline::io

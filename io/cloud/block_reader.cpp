@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kMaxCoordinateM = 1e8;  // beyond any map of the Earth, in metres or feet
 
-/// One block on its way from the file to the cloud; its storage is used again.
+/// One block on its way from the file to the cloud; its storage is reused.
 struct Block {
   std::vector<CloudPoint> points;
   ReadSummary summary;
@@ -64,8 +64,8 @@ void check_range(const Eigen::AlignedBox3d& extent_in_world, const std::string& 
   }
 }
 
-/// The number of points of a block, if the file's index shows that all of them lie outside the
-/// wanted region; else nothing.
+/// The number of points of a block if the file's index shows that all of them lie outside the
+/// wanted region; otherwise std::nullopt.
 std::optional<std::uint64_t> points_outside(const CloudSource& source,
                                             std::size_t index,
                                             const LocalFromFile& local_from_file,
@@ -119,8 +119,8 @@ void add(const ReadSummary& part, ReadSummary& sum) {
 }
 
 /// Calls `visit(block)` for every block in file order until it returns false; some blocks are
-/// decoded ahead in parallel. A block's fault is thrown only when its turn comes, so that the first
-/// one in the file is reported whatever the timing.
+/// decoded ahead in parallel. An error in a block is thrown only when its turn comes, so that the
+/// first one in the file is reported regardless of timing.
 template <typename Visit>
 void for_each_block(const CloudSource& source,
                     const LocalFromFile& local_from_file,

@@ -18,11 +18,11 @@ struct ReadSummary {
   DropCounts drops;
   Eigen::AlignedBox3d extent_in_world;  ///< box of all decoded finite points, kept or not; metres
   CoordinateSteps steps;                ///< steps of all decoded points
-  bool has_whole_extent = true;         ///< false if blocks outside the region were passed over
+  bool has_whole_extent = true;         ///< false if blocks outside the region were skipped
 };
 
-/// Appends the kept points of a source, in file order; blocks are decoded in parallel. Ends early,
-/// within a few blocks, once there are more than `max_points`.
+/// Appends the kept points of a source, in file order; blocks are decoded in parallel. Stops within
+/// a few blocks once there are more than `max_points`.
 /// Throws IoError for a damaged block (the first in file order) or a coordinate beyond 1e8 m.
 ReadSummary append_points(const CloudSource& source,
                           const LocalFromFile& local_from_file,

@@ -23,8 +23,7 @@ bool holds_block(const Eigen::AlignedBox3d& box, const CloudSource& source, std:
   });
 }
 
-/// Steps of the coordinates that the storage of the file causes (the scale of LAS, or float32),
-/// metres.
+/// Coordinate steps caused by the file's storage (the scale of LAS, or float32), metres.
 Eigen::Vector3d stored_steps_m(const CloudFileInfo& info,
                                const Eigen::Vector3d& unit_m,
                                const Eigen::AlignedBox3d& extent_in_world) {
@@ -43,9 +42,9 @@ Eigen::Vector3d stored_steps_m(const CloudFileInfo& info,
   return steps_m;
 }
 
-/// Whether the plan is a raster whose cells have the size of the steps of the coordinates and hold
-/// one point each at most. No two points of the first block share a cell, and a good part of all
-/// cells is filled.
+/// Whether the points form a raster in plan whose cell size is the coordinate step, with at most
+/// one point per cell: no two points of the first block share a cell, and a good part of all cells
+/// is filled.
 bool is_raster(const CloudSource& source,
                const Eigen::Vector3d& unit_m,
                const Eigen::Vector3d& steps_m,
@@ -118,7 +117,7 @@ std::optional<Eigen::AlignedBox3d> confirmed_bounds(const CloudSource& source) {
   if (!size.allFinite() || !(size.head<2>().minCoeff() > 0.0)) return std::nullopt;
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kTolerance);
   const Eigen::AlignedBox3d box(stated->min() - margin, stated->max() + margin);
-  // A run passes over thousands of files, so only some blocks of each are read.
+  // A run may skip thousands of files, so only some blocks of each are read.
   constexpr std::size_t kChecked = 4;
   const std::size_t n_checked = std::min(kChecked, n_blocks);
   for (std::size_t i = 0; i < n_checked; ++i) {

@@ -155,8 +155,9 @@ bool CloudFiles::is_passed_over(File& file, const PointFilter& filter) const {
   return file.confirmed_bounds && is_outside(*file.confirmed_bounds);
 }
 
-/// Reserves once, so that growth never holds the points twice. Pages of a reserve that stay unused
-/// cost no memory, so a bound is good enough for small clouds; large ones are counted first.
+/// Reserves once, so that growth never holds the points twice. Reserved pages that stay unused cost
+/// no memory, so an upper bound is good enough for small clouds; the points of large ones are
+/// counted first.
 void CloudFiles::reserve(const PointFilter& filter, std::uint64_t max_points, PointCloud& cloud) {
   constexpr std::uint64_t kBoundIsGoodEnough = 1U << 25U;  // points; 1 GiB of address space
   const std::uint64_t limit = point_limit(options_);
@@ -179,7 +180,7 @@ void CloudFiles::reserve(const PointFilter& filter, std::uint64_t max_points, Po
   }
   try {
     cloud.points.reserve(expected);
-    // Large pages spare a page fault for every 128 points.
+    // Huge pages avoid a page fault for every 128 points.
     advise_whole_pages(
         {reinterpret_cast<const std::byte*>(cloud.points.data()), expected * sizeof(CloudPoint)},
         MADV_HUGEPAGE);

@@ -16,7 +16,7 @@ constexpr std::size_t kSampledBlocks = 4;
 constexpr std::size_t kSampledPointsPerBlock = 1024;
 constexpr double kOriginGridM = 100.0;
 
-/// Coordinates by axis of points spread evenly over the file.
+/// Coordinates, by axis, of points spread evenly over the file.
 std::array<std::vector<double>, 3> sample(const CloudSource& source,
                                           const Eigen::Vector3d& unit_m) {
   std::array<std::vector<double>, 3> coordinates;

@@ -33,8 +33,8 @@ CommonCrs assumed(std::span<const CloudFileInfo> files, const Crs& crs) {
   return common;
 }
 
-/// The units for messages: "US survey foot (0.304800609601 m)", with the unit of the heights if
-/// that is another one.
+/// The units for messages: "US survey foot (0.304800609601 m)", with the unit of the heights if it
+/// differs.
 std::string units_text(const Eigen::Vector3d& unit_m) {
   if (same_unit(unit_m.x(), unit_m.z())) return unit_text(unit_m.x());
   return fmt::format("{} in plan and {} in height", unit_text(unit_m.x()), unit_text(unit_m.z()));
@@ -50,7 +50,7 @@ const CloudFileInfo* first_known(std::span<const CloudFileInfo> files) {
 void check_agreement(const CloudFileInfo& info,
                      const CloudFileInfo& reference,
                      std::vector<std::string>& warnings) {
-  // Tiles of one survey state the same text, and PROJ takes milliseconds for a comparison.
+  // Tiles of one survey state the same text, and PROJ takes milliseconds per comparison.
   const bool same_text = reference.crs.definition == info.crs.definition;
   const CrsAgreement agreement = same_text ? CrsAgreement{} : compare(reference.crs, info.crs);
   if (!agreement.compatible) {

@@ -22,7 +22,7 @@ constexpr std::uint16_t kUserDefined = 32767;
 
 using ShortKeys = std::map<std::uint16_t, std::uint16_t>;
 
-/// The keys whose value lies in the directory itself; empty if the directory is damaged.
+/// The keys whose values are stored in the directory itself; empty if the directory is damaged.
 ShortKeys read_short_keys(std::span<const std::byte> directory) {
   constexpr std::size_t kEntrySize = 8;
   ShortKeys keys;
@@ -43,7 +43,7 @@ std::uint16_t epsg_code(const ShortKeys& keys, std::uint16_t key) {
   return found == keys.end() || found->second >= kUserDefined ? std::uint16_t{0} : found->second;
 }
 
-/// The EPSG code of a vertical datum that GeoTIFF 1.0 gives a code of its own; 0 for any other
+/// The EPSG code of a vertical datum to which GeoTIFF 1.0 assigns its own code; 0 for any other
 /// code. Key 4099 states the unit of such heights.
 std::uint16_t epsg_code_of_datum(std::uint16_t code) {
   switch (code) {
@@ -85,7 +85,7 @@ std::optional<double> stated_unit_m(const ShortKeys& keys,
   }
 }
 
-/// What PROJ knows of a reference system.
+/// PROJ's description of a reference system.
 std::optional<CrsFacts> known_facts(const Crs& crs) {
   try {
     return describe(crs);
@@ -99,15 +99,15 @@ bool is_horizontal(const Crs& crs) {
   return facts && !facts->horizontal_name.empty();
 }
 
-/// Whether a system states heights alone. A three-dimensional system states heights too, but cannot
-/// be part of a compound system.
+/// Whether a system defines only heights. A three-dimensional system defines heights too, but
+/// cannot be part of a compound system.
 bool is_vertical_alone(const Crs& crs) {
   const std::optional<CrsFacts> facts = known_facts(crs);
   return facts && facts->horizontal_name.empty() && !facts->vertical_name.empty();
 }
 
-/// Makes a compound system of the horizontal one and that of key 4096. A datum has no unit: its
-/// heights are in the unit of key 4099, else in that of the plan.
+/// Combines the horizontal system and that of key 4096 into a compound system. A datum has no unit:
+/// its heights are in the unit of key 4099, otherwise in that of the plan.
 void add_heights(const ShortKeys& keys, GeoTiffCrs& result) {
   const std::uint16_t stated = epsg_code(keys, kVerticalCrs);
   if (stated == 0) return;

@@ -15,19 +15,19 @@ class HeaderLines {
  public:
   HeaderLines(std::span<const std::byte> file, std::string file_path);
 
-  /// The words of the next line. Throws IoError at the end of the file, or if a line is longer
-  /// than a header's can be: the header does not end.
+  /// The words of the next line. Throws IoError if the header does not end: at the end of the file,
+  /// or if a line is too long for a header.
   std::vector<std::string_view> next();
 
-  /// Byte at which the line that next() reads begins.
+  /// Byte offset of the line that next() will read.
   [[nodiscard]] std::size_t offset() const { return offset_; }
-  /// Number of the line that was read last, from 1.
+  /// Number of the last line read, from 1.
   [[nodiscard]] std::uint64_t line_number() const { return line_; }
 
-  /// Throws IoError "line N: MESSAGE".
+  /// Throws IoError with the message "line N: MESSAGE".
   [[noreturn]] void fail(const std::string& message) const;
 
-  /// The word as a whole number of 0 to 2^64 - 1. Throws IoError naming `what` if it is none.
+  /// The word as an integer from 0 to 2^64 - 1. Throws IoError naming `what` if it is not one.
   [[nodiscard]] std::uint64_t parse_count(std::string_view word, std::string_view what) const;
 
  private:

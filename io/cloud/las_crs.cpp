@@ -27,7 +27,7 @@ std::optional<std::string> read_wkt(std::span<const std::byte> file, const LasHe
   return std::nullopt;
 }
 
-/// The CRS of a WKT record, unknown with a warning if PROJ cannot read it.
+/// The CRS of a WKT record; unknown, with a warning, if PROJ cannot read it.
 Crs checked_wkt(const std::string& wkt, std::vector<std::string>& warnings) {
   Crs crs{wkt};
   try {
@@ -40,7 +40,7 @@ Crs checked_wkt(const std::string& wkt, std::vector<std::string>& warnings) {
   return {};
 }
 
-/// Replaces the units of some axes by the one that the keys state, with a warning if the reference
+/// Replaces the units of some axes with the one stated by the keys, with a warning if the reference
 /// system states another.
 void apply_stated_unit(
     double stated_m, const char* what, int first_axis, int n_axes, LasCrs& result) {
@@ -56,8 +56,8 @@ void apply_stated_unit(
                   what, stated_m, of_crs_m));
 }
 
-/// Applies the units of the keys. Heights without a unit of their own are in that of the plan, as
-/// in a registered system.
+/// Applies the units of the keys. Heights without a unit of their own use that of the plan, as in a
+/// registered system.
 void apply_stated_units(const GeoTiffCrs& keys, bool has_vertical_crs, LasCrs& result) {
   if (keys.horizontal_unit_m) {
     apply_stated_unit(*keys.horizontal_unit_m, "horizontal", 0, 2, result);

@@ -13,7 +13,7 @@
 
 namespace ridgeline::io {
 
-/// The reference system that a LAS file's records state.
+/// The reference system stated by the records of a LAS file.
 struct LasCrs {
   Crs crs;
   Eigen::Vector3d unit_m = Eigen::Vector3d::Ones();  ///< metres per coordinate unit, by axis
@@ -22,10 +22,10 @@ struct LasCrs {
 };
 
 /// Reads WKT (LASF_Projection 2112, or liblas 2112) and GeoTIFF keys (34735). If both are present
-/// and disagree, WKT wins if bit 4 of the global encoding is set or the version is 1.5, else the
-/// keys win; a warning names both. Records that PROJ cannot read leave the CRS unknown, with a
-/// warning. Where WKT is not used, unit keys (3076, 4099) that differ from the CRS are obeyed, with
-/// a warning, as libgeotiff does.
+/// and disagree, WKT wins if bit 4 of the global encoding is set or the version is 1.5, otherwise
+/// the keys win; a warning names both. Records that PROJ cannot read leave the CRS unknown, with a
+/// warning. If WKT is not used, unit keys (3076, 4099) that differ from the CRS take precedence,
+/// with a warning, as in libgeotiff.
 LasCrs read_las_crs(std::span<const std::byte> file, const LasHeader& header);
 
 }  // namespace ridgeline::io

@@ -24,7 +24,7 @@ using Bytes = std::span<const std::byte>;
 constexpr std::array<std::uint16_t, 11> kRecordSizes{20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
 // Sizes of the header by minor version, 0 to 5.
 constexpr std::array<std::uint16_t, 6> kHeaderSizes{227, 227, 227, 235, 375, 393};
-// Writers leave +-DBL_MAX as bounds until they finish; no map coordinate comes near.
+// Writers leave +-DBL_MAX as bounds until they finish; no map coordinate comes close.
 constexpr double kUnsetBound = 1e300;
 
 template <typename Value>
@@ -140,7 +140,7 @@ void read_claimed_count(Bytes file, LasHeader& header) {
   header.n_points_claimed = legacy;
   if (header.version_minor < 4) return;
   const auto count = load<std::uint64_t>(&file[247]);
-  if (count == 0) return;  // some 1.4 writers fill in the legacy field only
+  if (count == 0) return;  // some 1.4 writers fill in only the legacy field
   header.n_points_claimed = count;
   if (legacy != 0 && legacy != count) {
     header.warnings.push_back(

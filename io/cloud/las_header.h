@@ -13,12 +13,12 @@
 
 namespace ridgeline::io {
 
-/// Where a variable-length record (VLR or, after the points, EVLR) lies. The range is checked to
+/// Location of a variable-length record (VLR or, after the points, EVLR). The range is checked to
 /// lie inside the file.
 struct LasVlr {
   std::string user_id;
   std::uint16_t record_id = 0;
-  std::uint64_t data_offset = 0;  ///< byte of the file at which the payload begins
+  std::uint64_t data_offset = 0;  ///< byte offset of the payload in the file
   std::uint64_t data_size = 0;
 };
 
@@ -28,7 +28,7 @@ struct LasHeader {
   std::uint16_t global_encoding = 0;
   std::uint64_t file_size = 0;
   std::uint16_t header_size = 0;
-  /// Byte of the first record, or of the LAZ data if compressed.
+  /// Byte offset of the first record, or of the LAZ data if compressed.
   std::uint32_t point_offset = 0;
   std::uint8_t raw_point_format = 0;   ///< as stored: bits 6 and 7 mark LAZ
   std::uint8_t point_format = 0;       ///< 0..10
@@ -47,18 +47,19 @@ struct LasHeader {
 };
 
 struct LasHeaderOptions {
-  /// Read the records that are there when the file is shorter than it claims.
+  /// Read the records that are present if the file is shorter than it claims.
   bool salvage = false;
 };
 
-/// Bytes of a record of `point_format` 0..10 without extra bytes.
+/// Size in bytes of a record of `point_format` 0..10 without extra bytes.
 std::uint16_t las_record_size(std::uint8_t point_format);
 
-/// Header and record list of a LAS or LAZ file. Every offset and count is checked against the file
-/// size; `path` serves messages only.
-/// Throws IoError naming field, byte, value and rule: not LAS, truncated, version outside 1.0-1.5,
-/// an interrupted writer, unknown point format, short records, unusable scale or offset, fewer
-/// records than claimed (unless salvaging).
+/// Reads the header and record list of a LAS or LAZ file. Every offset and count is checked against
+/// the file size; `path` is used only in messages.
+/// Throws IoError, naming field, byte offset, value and rule, if the file is not LAS, is truncated,
+/// was left incomplete by an interrupted writer, or has a version outside 1.0-1.5, an unknown point
+/// format, short records, an unusable scale or offset, or fewer records than claimed (unless
+/// salvaging).
 /// Source: ASPRS LAS Specification 1.4 R15, section 2.4.
 LasHeader parse_las_header(std::span<const std::byte> file,
                            const std::string& path,

@@ -9,9 +9,9 @@
 
 namespace ridgeline::io {
 
-/// Opens a mapped LAS file; `path` serves messages. Compressed files (LAZ, COPC) branch off here,
-/// by the compression bits of the point format.
-/// Throws IoError as parse_las_header().
+/// Opens a mapped LAS file; `path` is used only in messages. Compressed files (LAZ, COPC),
+/// identified by the compression bits of the point format, are passed on to open_laz().
+/// Throws IoError under the same conditions as parse_las_header().
 std::unique_ptr<CloudSource> open_las(MappedFile file,
                                       const std::string& path,
                                       const OpenCloudOptions& options);

@@ -19,7 +19,7 @@ struct VlrKind {
 constexpr VlrKind kVlr{"VLR", 54, false};
 constexpr VlrKind kEvlr{"EVLR", 60, true};
 
-/// Reads up to `count` records from `position` on, none beyond `end`. The loop ends at `end` too,
+/// Reads up to `count` records from `position` on, none beyond `end`. The loop also stops at `end`,
 /// so a garbage count costs nothing.
 void append_records(std::span<const std::byte> file,
                     const VlrKind& kind,

@@ -8,9 +8,9 @@
 
 namespace ridgeline::io {
 
-/// Appends the VLRs between header and points, then the EVLRs, to `header.vlrs`. A list that runs
-/// past the points (or past the end of the file) is cut there with a warning: the records that
-/// were read so far, and the points, are still good.
+/// Appends the VLRs between header and points, then the EVLRs, to `header.vlrs`. A list that
+/// extends into the points (or beyond the end of the file) is cut there with a warning: the records
+/// read so far, and the points, remain usable.
 void collect_vlrs(std::span<const std::byte> file, LasHeader& header);
 
 }  // namespace ridgeline::io

@@ -52,7 +52,7 @@ RawPosition quantise(const CloudPoint& point, double scale_m) {
   return raw;
 }
 
-/// What the header says of the points.
+/// Statistics of the points for the header.
 struct Statistics {
   Eigen::AlignedBox<std::int32_t, 3> raw_bounds;
   std::array<std::uint64_t, kMaxReturns> n_by_return{};
@@ -165,7 +165,7 @@ void add_extra_bytes(VariableRecords& records) {
   ++records.n;
 }
 
-/// Stores a label behind a record of point format 6.
+/// Stores a label after a record of point format 6.
 void store_label(const PointLabel& label, char* record) {
   for (std::size_t i = 0; i < 3; ++i) {
     store(static_cast<std::uint16_t>(label.rgb[i] << 8U), record + 30 + 2 * i);

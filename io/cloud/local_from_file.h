@@ -6,8 +6,9 @@
 
 namespace ridgeline::io {
 
-/// Conversion of the coordinates of a cloud file to local metres: x_in_local = unit_m * x_in_file -
-/// origin_m by axis. The origin is subtracted in double, before any rounding to a shorter type.
+/// Converts the coordinates of a cloud file to local metres: x_in_local = unit_m * x_in_file -
+/// origin_m for each axis. The origin is subtracted in double, before any rounding to a shorter
+/// type.
 struct LocalFromFile {
   Eigen::Vector3d unit_m = Eigen::Vector3d::Ones();  ///< metres per file unit (feet: 0.3048)
   Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();

@@ -7,9 +7,9 @@ namespace ridgeline::io {
 
 namespace {
 
-constexpr std::size_t kMaxCopy_bytes = 264;  // the most bytes that a reference of 3 bytes copies
+constexpr std::size_t kMaxCopy_bytes = 264;  // the most bytes that a 3-byte reference can copy
 
-/// Reads a packed stream; every step returns whether the bytes that it needs were there.
+/// Reads a packed stream; every step returns whether the bytes that it needs were available.
 class Unpacker {
  public:
   Unpacker(std::span<const std::byte> packed, std::size_t unpacked_size) : packed_(packed) {
@@ -52,7 +52,7 @@ class Unpacker {
     const std::size_t distance =
         ((control & 0x1FU) << 8U | std::to_integer<std::size_t>(take())) + 1;
     if (distance > unpacked_.size() || !has_room(length)) return false;
-    // Bytes are copied one by one, as the copy may overlap what it writes, which repeats a pattern.
+    // Bytes are copied one by one because source and target may overlap, which repeats a pattern.
     for (std::size_t i = 0; i < length; ++i) {
       unpacked_.push_back(unpacked_[unpacked_.size() - distance]);
     }

@@ -47,7 +47,7 @@ std::unique_ptr<CloudSource> open_cloud(const std::string& path, const OpenCloud
   require_kind(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()},
                FileGroup::kCloud);
   if (has_xyz_name(path)) return open_xyz(std::move(file), path);
-  // Any other file goes to the LAS reader, which says best what is wrong with it.
+  // Any other file goes to the LAS reader, which gives the best error message.
   return open_las(std::move(file), path, options);
 }
 

@@ -28,7 +28,7 @@ using Words = std::vector<std::string_view>;
 struct PcdField {
   std::string name;
   ScalarType type = ScalarType::kFloat32;
-  std::uint64_t count = 1;  ///< numbers of this field in a point
+  std::uint64_t count = 1;  ///< number of values of this field per point
 
   [[nodiscard]] std::uint64_t size() const { return size_of(type) * count; }
 };
@@ -87,7 +87,7 @@ class PcdEntries {
 };
 
 std::vector<PcdField> read_fields(const PcdEntries& entries, const HeaderLines& lines) {
-  // Most numbers of a point; each takes memory of the reader.
+  // Maximum number of values per point; each takes memory in the reader.
   constexpr std::uint64_t kMaxNumbers = 1U << 20U;
   std::uint64_t n_numbers = 0;
   const Words& names = entries.words("FIELDS", 0);
@@ -161,7 +161,7 @@ std::unique_ptr<CloudSource> open_ascii(MappedFile file,
   return open_text_table(std::move(table), std::move(info), true);
 }
 
-/// The columns of a table whose rows lie one after the other or, in packed files, whose fields do.
+/// The columns of a table that is stored row by row or, in packed files, field by field.
 std::vector<TableColumn> lay_out(const PcdHeader& header, bool field_after_field) {
   std::vector<TableColumn> columns;
   std::size_t offset = 0;

@@ -10,8 +10,8 @@
 namespace ridgeline::io {
 
 /// Opens a mapped PCD file (0.6, 0.7; ascii, binary, binary_compressed). Numbers of any type are
-/// kept as doubles. `path` serves messages. As in PCL, the viewpoint is not applied. Throws IoError
-/// naming line or field. Source: pointclouds.org, "The PCD file format".
+/// read as doubles. `path` is used only in messages. As in PCL, the viewpoint is not applied.
+/// Throws IoError naming the line or field. Source: pointclouds.org, "The PCD file format".
 std::unique_ptr<CloudSource> open_pcd(MappedFile file, const std::string& path);
 
 }  // namespace ridgeline::io

@@ -13,11 +13,11 @@ namespace ridgeline::io {
 
 namespace {
 
-constexpr double kMaxMaskCoordinate_m = 1e8;  // the limit of the coordinates of clouds, too
+constexpr double kMaxMaskCoordinate_m = 1e8;  // also the limit for the coordinates of clouds
 constexpr double kMaxCells = 6.4e7;           // 64 MB; lines spread wider get coarser cells
 
 /// The parameters [t0, t1] of a segment at which its y lies in [low, high]; empty (t0 > t1) if
-/// none.
+/// there are none.
 std::pair<double, double> clip_to_band(const Segment2& segment, double low, double high) {
   const double rise = segment.end.y() - segment.start.y();
   if (rise == 0.0) {
@@ -87,8 +87,8 @@ void PlanMask::mark(const Segment2& segment, double radius_m) {
 }
 
 /// Marks the cells of a row that may hold points within the radius. Such a point is near the part
-/// of the segment that lies in the row's band widened by the radius, so the cells beside that part
-/// are marked as far as the radius reaches.
+/// of the segment that lies in the row's band widened by the radius, so the row's cells up to the
+/// radius from that part are marked.
 void PlanMask::mark_row(const Segment2& segment, double radius_m, std::size_t row) {
   const double cell = cell_size_m();
   const double row_low = min_.y() + static_cast<double>(row) * cell;

@@ -13,19 +13,19 @@
 namespace ridgeline::io {
 
 /// A coarse plan raster of the surroundings of line segments, to keep only the points near a line
-/// while a cloud is read. Contains every point within `radius_m` of a segment, and some beyond:
-/// up to about 2 cells more, so that a test is one table look-up.
+/// while a cloud is read. It contains every point within `radius_m` of a segment, and points up to
+/// about 2 cells farther away, so that a test is a single table look-up.
 class PlanMask {
  public:
   /// Segments are in plan (x, y) of the local frame, metres. Without segments the mask is empty.
-  /// Throws std::invalid_argument unless radius_m > 0 and all coordinates are finite, at most 1e8
-  /// m.
+  /// Throws std::invalid_argument unless radius_m > 0 and all coordinates are finite and at most
+  /// 1e8 m.
   PlanMask(std::span<const Segment2> segments_in_local, double radius_m);
 
   [[nodiscard]] bool contains(double x, double y) const {
     const double column = (x - min_.x()) * inverse_cell_;
     const double row = (y - min_.y()) * inverse_cell_;
-    // The negated form sends NaN outside.
+    // The negated form treats NaN as outside.
     if (!(column >= 0.0 && row >= 0.0 && column < static_cast<double>(n_columns_) &&
           row < static_cast<double>(n_rows_))) {
       return false;
@@ -34,7 +34,7 @@ class PlanMask {
            0;
   }
 
-  /// Whether some marked cell meets the rectangle between two corners.
+  /// Whether any marked cell overlaps the rectangle between two corners.
   [[nodiscard]] bool overlaps(const Eigen::Vector2d& min, const Eigen::Vector2d& max) const;
 
   [[nodiscard]] double cell_size_m() const { return 1.0 / inverse_cell_; }

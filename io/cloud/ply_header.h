@@ -15,7 +15,7 @@ namespace ridgeline::io {
 struct PlyProperty {
   std::string name;
   ScalarType type = ScalarType::kFloat32;
-  /// Type of the count before a list's numbers; unset for a number.
+  /// Type of the count that precedes the numbers of a list; unset for a single number.
   std::optional<ScalarType> list_count_type{};
 };
 
@@ -24,7 +24,7 @@ struct PlyElement {
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
 
-  /// Bytes of a row, or nothing if a list makes rows differ.
+  /// Bytes per row; std::nullopt if a list makes the size of rows vary.
   [[nodiscard]] std::optional<std::uint64_t> row_size() const;
 };
 
@@ -37,7 +37,7 @@ struct PlyHeader {
   std::uint64_t data_line = 0;  ///< number of the last header line, from 1
 };
 
-/// Reads the header of a PLY file. Throws IoError "line N: ...".
+/// Reads the header of a PLY file. Throws IoError with a message "line N: ...".
 /// Source: G. Turk, The PLY Polygon File Format, 1994.
 PlyHeader read_ply_header(std::span<const std::byte> file, const std::string& path);
 

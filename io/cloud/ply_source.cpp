@@ -19,7 +19,7 @@ namespace {
 
 using Bytes = std::span<const std::byte>;
 
-/// Walks binary rows whose lists make them differ in size.
+/// Iterates over binary rows whose size varies because of lists.
 class RowWalker {
  public:
   RowWalker(Bytes data, bool is_big_endian, std::string file_path)
@@ -34,13 +34,13 @@ class RowWalker {
       rest_ = rest_.subspan(*row_size * element.count);
       return;
     }
-    // A list takes a byte at least, so a garbage count ends at the end of the file.
+    // A list takes at least one byte, so a garbage count stops at the end of the file.
     for (std::uint64_t row = 0; row < element.count; ++row) {
       for (const PlyProperty& property : element.properties) take(property, element);
     }
   }
 
-  /// The rows of `element` without their lists, so that all have one size.
+  /// The rows of `element` without their lists, so that all have the same size.
   std::vector<std::byte> copy_without_lists(const PlyElement& element) {
     std::vector<std::byte> rows;
     for (std::uint64_t row = 0; row < element.count; ++row) {
@@ -81,7 +81,7 @@ class RowWalker {
   std::string path_;
 };
 
-/// The columns of the numbers of a row whose lists have been left out.
+/// The columns of a row without its lists.
 std::vector<TableColumn> lay_out(const PlyElement& vertex) {
   std::vector<TableColumn> columns;
   std::size_t offset = 0;

@@ -10,8 +10,8 @@
 namespace ridgeline::io {
 
 /// Opens the element `vertex` of a mapped PLY file (ascii, binary of either byte order). Numbers of
-/// any type are kept as doubles; elements before it are skipped. `path` serves messages. Throws
-/// IoError.
+/// any type are read as doubles; elements before `vertex` are skipped. `path` is used only in
+/// messages. Throws IoError.
 std::unique_ptr<CloudSource> open_ply(MappedFile file, const std::string& path);
 
 }  // namespace ridgeline::io

@@ -9,7 +9,7 @@
 
 namespace ridgeline::io {
 
-/// The part of a point that a named column of a PCD, PLY or text file gives.
+/// The part of a point that a named column of a PCD, PLY or text file provides.
 enum class PointAttribute {
   kX,
   kY,
@@ -22,12 +22,12 @@ enum class PointAttribute {
   kSourceId
 };
 
-/// The attribute that a column of this name gives, in any case and also with CloudCompare's prefix
-/// "scalar_"; `label` is read as a class. Nothing for columns that are not kept.
+/// The attribute for a column of this name, ignoring case and CloudCompare's prefix "scalar_";
+/// `label` is read as the class. Returns std::nullopt for columns that are not kept.
 std::optional<PointAttribute> attribute_of_column(std::string_view name);
 
-/// Stores a file's number in a point. Coordinates are reduced to local metres; a code that is no
-/// whole number of its field's range becomes 0, and an intensity is clamped.
+/// Stores a file's number in a point. Coordinates are converted to local metres; a code that is not
+/// an integer in the range of its field becomes 0, and an intensity is clamped.
 void set_attribute(PointAttribute attribute,
                    double value,
                    const LocalFromFile& local_from_file,

@@ -16,7 +16,7 @@ namespace ridgeline::io {
 struct CloudPoint {
   double x, y, z;
   std::uint16_t intensity;
-  std::uint8_t classification;  ///< ASPRS: 2 ground, 6 building; 0 where the file has none
+  std::uint8_t classification;  ///< ASPRS: 2 ground, 6 building; 0 if the file has none
   std::uint8_t return_number;
   std::uint8_t number_of_returns;
   std::uint8_t flags;  ///< bit 0 synthetic, 1 key point, 2 withheld, 3 overlap
@@ -53,7 +53,7 @@ struct PointCloud {
   std::uint64_t n_dropped_return = 0;  ///< dropped by --last-returns
   std::uint64_t n_dropped_bounds = 0;  ///< dropped by --bounds or because no line is near
   std::uint64_t n_dropped_non_finite = 0;
-  std::uint64_t n_dropped_share = 0;  ///< left out by ReadOptions::share alone
+  std::uint64_t n_dropped_share = 0;  ///< dropped only because of ReadOptions::share
 };
 
 }  // namespace ridgeline::io

@@ -11,7 +11,7 @@
 
 namespace ridgeline::io {
 
-/// Numbers of points dropped, by the first reason that held.
+/// Numbers of points dropped, by the first reason that applied.
 struct DropCounts {
   std::uint64_t non_finite = 0;
   std::uint64_t withheld = 0;
@@ -21,20 +21,21 @@ struct DropCounts {
   std::uint64_t share = 0;
 };
 
-/// The keep rule of ReadOptions for points in local metres. The options must outlive it.
+/// Applies the selection rules of ReadOptions to points in local metres. The options must outlive
+/// the filter.
 class PointFilter {
  public:
   /// `local_from_file` converts the bounds of the options.
   PointFilter(const ReadOptions& options, const LocalFromFile& local_from_file);
 
-  /// Removes the points that are not kept; the order of the rest stays.
+  /// Removes the points that are not kept; the order of the others is preserved.
   DropCounts apply(std::vector<CloudPoint>& points) const;
 
   /// Whether no point of this box, in local metres, can be inside the bounds and the mask.
   [[nodiscard]] bool excludes(const Eigen::AlignedBox3d& box_in_local) const;
 
  private:
-  /// The count that a point falls under, or nullptr if it is kept.
+  /// The count to which a point is added, or nullptr if it is kept.
   [[nodiscard]] std::uint64_t DropCounts::*reason_to_drop(const CloudPoint& point) const;
   [[nodiscard]] bool is_outside(const CloudPoint& point) const;
   [[nodiscard]] bool is_left_out(const CloudPoint& point) const;

@@ -7,7 +7,7 @@
 
 namespace ridgeline::io {
 
-/// Type of a stored number of a PCD or PLY file.
+/// Type of a number stored in a PCD or PLY file.
 enum class ScalarType {
   kInt8,
   kUint8,
@@ -24,10 +24,11 @@ enum class ScalarType {
 /// Bytes of one number.
 std::size_t size_of(ScalarType type);
 
-/// The type by PLY's old (char .. double) or new (int8 .. float64) name; nothing for another name.
+/// The type with this old (char .. double) or new (int8 .. float64) PLY name; std::nullopt for
+/// other names.
 std::optional<ScalarType> scalar_type_of_ply_name(std::string_view name);
 
-/// The type by PCD's TYPE (I, U, F) and SIZE (1, 2, 4, 8); nothing for another pair.
+/// The type with this PCD TYPE (I, U, F) and SIZE (1, 2, 4, 8); std::nullopt for other pairs.
 std::optional<ScalarType> scalar_type_of_pcd_field(char type, std::size_t size);
 
 /// The number at `source`, which has size_of(type) bytes. Integers above 2^53 are rounded.

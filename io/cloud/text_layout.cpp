@@ -43,14 +43,14 @@ bool begins_with_numbers(std::span<const std::string_view> fields, std::size_t n
   return fields.size() >= n && std::ranges::all_of(fields.first(n), is_table_number);
 }
 
-/// The separator of a row of points. Commas mark decimals where blanks separate three numbers.
+/// The separator of a row of points. Commas are decimal marks if blanks separate three numbers.
 char separator_of_points(std::string_view row) {
   const char separator = separator_of(row);
   const bool is_by_blanks = separator == ',' && begins_with_numbers(fields_of(row, kBlanks), 3);
   return is_by_blanks ? kBlanks : separator;
 }
 
-/// What a line of column names says.
+/// The contents of a line of column names.
 struct ColumnNames {
   std::uint64_t line = 0;
   Fields names;
@@ -61,7 +61,8 @@ struct ColumnNames {
   }
 };
 
-/// The columns that a line names, commented out or not; nothing if x, y and z are not among them.
+/// The columns that a line names, commented out or not; std::nullopt if x, y and z are not among
+/// them.
 std::optional<ColumnNames> column_names(const PointRow& line) {
   std::string_view text = line.text;
   text.remove_prefix(std::min(text.find_first_not_of("#/%!; \t"), text.size()));
@@ -124,7 +125,7 @@ class LayoutFinder {
     return line;
   }
 
-  /// Passes over comments, "sep=", one count of the points and names of columns.
+  /// Skips comments, "sep=", one point count and column names.
   void find_first_point() {
     bool is_counted = false;
     while (const auto line = next()) {
@@ -153,7 +154,7 @@ class LayoutFinder {
           fmt::format("line {}: {} columns could be {}: {}; name only one of them {}", columns.line,
                       columns.count(axis), letter, fmt::join(columns.names, ", "), letter));
     }
-    // a name may then belong to another field than the one in its place
+    // a name may then belong to a field other than the one at its position
     const auto last = std::ranges::find_if(fields.rbegin(), fields.rend(),
                                            [](std::string_view field) { return !field.empty(); });
     if (const auto n = fields.rend() - last; n > std::ssize(columns.names)) {
@@ -192,8 +193,8 @@ class LayoutFinder {
     }
   }
 
-  /// Whether the first column numbers the points, before x, y and z. Where all have one y, they are
-  /// the first row of a raster.
+  /// Whether the first column numbers the points, before x, y and z. Points that all have the same
+  /// y are the first row of a raster.
   bool counts_points() {
     constexpr std::size_t kMinRows = 3, kMaxRows = 50;
     std::vector<Fields> rows;
@@ -213,7 +214,7 @@ class LayoutFinder {
   std::string_view text_;
   const std::string& path_;
   std::size_t next_offset_ = 0;
-  std::uint64_t number_ = 0;  ///< of the line that next() gave last
+  std::uint64_t number_ = 0;  ///< number of the line that next() returned last
   TextLayout layout_;
   std::optional<ColumnNames> columns_;
   std::optional<PointRow> first_;  ///< the first point

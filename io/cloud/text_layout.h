@@ -14,19 +14,19 @@ namespace ridgeline::io {
 /// Where the points of a text file begin, and what its columns are.
 struct TextLayout {
   std::size_t offset = 0;        ///< byte of the first row
-  std::uint64_t first_line = 1;  ///< number of the line of the first row
+  std::uint64_t first_line = 1;  ///< line number of the first row
   char separator = kAnySeparator;
   std::vector<TextItem> items;
 };
 
-/// Finds out how a text cloud was written. Comments, a number of points alone in its line (.pts),
-/// Excel's "sep=;" and names of columns may stand before the points, in any order. The names may be
-/// commented out ("//X Y Z"). They are taken in any case, with quotes, and by all the names that
-/// column_name() has for x, y and z ("X [m]", "Easting", "POINT_X"). Without names, x, y and z are
-/// the first three columns. Decimal commas are read if commas do not separate. Throws IoError for
-/// text that leaves open which columns are x, y and z, rather than to guess: two names that may be
-/// the same axis, rows with more columns than are named, first columns that are no numbers, that
-/// count the points, or give a z that is no height on Earth.
+/// Determines the layout of a text cloud. Comments, the number of points on a line by itself
+/// (.pts), Excel's "sep=;" and column names may precede the points, in any order. The names may be
+/// commented out ("//X Y Z"). They are matched regardless of case and quotes, with all the names
+/// that column_name() has for x, y and z ("X [m]", "Easting", "POINT_X"). Without names, x, y and z
+/// are the first three columns. Decimal commas are read if commas do not separate fields. Rather
+/// than guess, throws IoError for text that leaves open which columns are x, y and z: two names
+/// that may mean the same axis, rows with more columns than are named, or first columns that are
+/// not numbers, that number the points, or that give a z that is not a height on Earth.
 TextLayout find_text_layout(std::string_view text, const std::string& path);
 
 }  // namespace ridgeline::io

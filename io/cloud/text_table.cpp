@@ -51,7 +51,7 @@ struct BlockStart {
 };
 
 struct RowIndex {
-  /// Begins of every kRowsPerBlock-th row, and the begin of what follows the last row.
+  /// Start of every kRowsPerBlock-th row, and of whatever follows the last row.
   std::vector<BlockStart> starts;
   std::uint64_t n_rows = 0;
 };
@@ -116,7 +116,7 @@ class TextTableSource : public CloudSource {
       const double value = number(field, line_number);
       if (item.attribute) set_attribute(*item.attribute, value, local_from_file, point);
       if (!item.is_list) continue;
-      // A row that is shorter than its list says leads to an error below.
+      // A row that is shorter than the stated length of its list causes an error below.
       constexpr double kMaxListLength = 1e6;
       const auto n = value > 0.0 ? std::lround(std::min(std::ceil(value), kMaxListLength)) : 0L;
       for (long i = 0; i < n; ++i) (void)number(take_field(fields, line_number), line_number);
@@ -173,7 +173,7 @@ std::optional<std::string_view> TextFields::next() {
   is_first_ = false;
   for (; start < rest_.size() && separates(rest_[start]); ++start) {
     if (is_mark(rest_[start]) && ++n_marks > most_marks) {
-      break;  // an empty field, which must not be passed over in silence
+      break;  // an empty field, which must not be skipped silently
     }
   }
   if (start == rest_.size()) return std::nullopt;
@@ -195,7 +195,7 @@ bool is_text_row(std::string_view line) {
   const auto word =
       std::ranges::find_if_not(line, [](char c) { return is_blank(c) || is_mark(c); });
   if (word == line.end()) return false;
-  // A line "; note" is a comment, but ";" may also stand for an empty field before a number.
+  // A line "; note" is a comment, but a leading ";" may also mean an empty field before a number.
   return line.front() != ';' || starts_number(*word) || *word == '"';
 }
 

@@ -9,10 +9,10 @@
 
 namespace ridgeline::io {
 
-/// Whether the name ends like a text cloud's: .xyz .txt .csv .asc .pts (any case).
+/// Whether the name has the extension of a text cloud: .xyz .txt .csv .asc .pts (any case).
 bool has_xyz_name(const std::string& path);
 
-/// Opens a mapped text file with one point a line, laid out as find_text_layout() finds.
+/// Opens a mapped text file with one point per line, in the layout that find_text_layout() finds.
 /// Throws IoError.
 std::unique_ptr<CloudSource> open_xyz(MappedFile file, const std::string& path);
 

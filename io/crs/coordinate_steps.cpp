@@ -66,7 +66,7 @@ void AxisSteps::merge(const AxisSteps& other) {
   largest_ = std::max(largest_, other.largest_);
 }
 
-/// The largest step up to `limit` that all values share; 0 if there is none. `next` gives the next
+/// The largest step up to `limit` shared by all values; 0 if there is none. `next` returns the next
 /// larger step.
 template <typename Next>
 double AxisSteps::Lattice::largest_step(double limit, const Next& next) const {
@@ -80,10 +80,11 @@ double AxisSteps::Lattice::largest_step(double limit, const Next& next) const {
 }
 
 std::optional<double> AxisSteps::step() const {
-  // A step is believed if values on a grid of 0.01 would share it by chance once in 100,000 cases.
+  // A step is accepted if values on a grid of 0.01 would share it by chance only once in 100,000
+  // cases.
   const double fine_grid = decimal_.is_alive ? 0.01 : 2.0 * kRounding;
   constexpr double kMinDigits = 5.0;
-  // Larger powers of 2 are whole numbers, which the decimal steps cover.
+  // Larger powers of 2 are integers, which the decimal steps cover.
   constexpr double kMaxBinaryStep = 0.5;
   const double step =
       std::max(binary_.largest_step(kMaxBinaryStep, [](double s) { return 2.0 * s; }),

@@ -14,13 +14,12 @@ namespace ridgeline::io {
 /// Coarsest tolerable step of coordinates: a quarter of the 0.1 m plane tolerance.
 inline constexpr double kMaxCoordinateStep_m = 0.025;
 
-/// Finds the step that coordinates of one axis were rounded to: by float32 (a power of 2, 0.5 m at
-/// the northings of UTM) or by too few decimals or digits (1, 5, 10 or so times a power of 10).
-/// Values of a fine grid nearly always rule out a step within the first few, so the rest cost
-/// nothing.
+/// Finds the step to which the coordinates of one axis were rounded: by float32 (a power of 2, 0.5
+/// m at UTM northings) or by too few decimals or digits (1, 5, 10 or so times a power of 10). With
+/// finely resolved values, the first few nearly always rule out a step, so the rest cost nothing.
 class AxisSteps {
  public:
-  /// Steps of up to `tolerable`, file units, are not looked for.
+  /// Steps of up to `tolerable` (file units) are not searched for.
   explicit AxisSteps(double tolerable = kMaxCoordinateStep_m);
 
   void add(double value) {
@@ -31,12 +30,12 @@ class AxisSteps {
   /// Whether the values so far share a step.
   [[nodiscard]] bool may_have_step() const { return binary_.is_alive || decimal_.is_alive; }
 
-  /// The largest step that all values are multiples of, file units. Nothing if there is none above
-  /// the tolerable one, or if the values are so few that they may share it by chance or by design
-  /// (two eaves of 3 and 6 m).
+  /// The largest step of which all values are multiples, file units. std::nullopt if there is none
+  /// above the tolerable one, or if there are so few values that they may share it by chance or by
+  /// design (two eaves at 3 and 6 m).
   [[nodiscard]] std::optional<double> step() const;
 
-  /// Whether step() is a power of 2 that no decimal number explains: only float32 rounds so.
+  /// Whether step() is a power of 2 that no decimal step explains: only float32 rounds in this way.
   [[nodiscard]] bool has_binary_step() const { return step() && !decimal_.is_alive; }
 
   /// The step of float32 at the largest of the values, file units; 0 once the values cannot share a
@@ -44,7 +43,8 @@ class AxisSteps {
   [[nodiscard]] double float32_step() const;
 
  private:
-  /// Whether all values are multiples of `base`, up to the millimetres that a text keeps of them.
+  /// Tests whether all values are multiples of `base`, apart from rounding to millimetres in a text
+  /// file.
   struct Lattice {
     double base = 0.0;
     bool is_alive = true;
@@ -73,13 +73,13 @@ class CoordinateSteps {
   explicit CoordinateSteps(const Eigen::Vector3d& unit_m,
                            double tolerable_m = kMaxCoordinateStep_m);
 
-  /// Values that are not finite are passed over.
+  /// Non-finite values are ignored.
   void add(const Eigen::Vector3d& x_in_file);
   void merge(const CoordinateSteps& other);
   [[nodiscard]] bool may_have_steps() const;
 
-  /// Steps by axis, metres; 0 where no step is found. If one axis shows float32, all axes have the
-  /// steps of float32.
+  /// Steps by axis, metres; 0 where no step is found. If one axis shows float32 rounding, the
+  /// float32 steps are given for all axes.
   [[nodiscard]] Eigen::Vector3d steps_m() const;
 
   [[nodiscard]] bool went_through_float32() const;
@@ -90,7 +90,7 @@ class CoordinateSteps {
   std::array<AxisSteps, 3> axes_;
 };
 
-/// The steps that are not 0, the largest first: "y in steps of 10 m, x in steps of 1 m".
+/// The non-zero steps, the largest first: "y in steps of 10 m, x in steps of 1 m".
 std::string steps_text(const Eigen::Vector3d& steps_m);
 
 }  // namespace ridgeline::io

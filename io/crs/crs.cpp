@@ -15,12 +15,12 @@
 namespace ridgeline::io {
 namespace {
 
-/// Keeps what was found for the latest definitions. All tiles of a survey state the same
-/// definition, and PROJ takes tens of milliseconds to read it.
+/// Caches results for the latest definitions. All tiles of a survey state the same definition, and
+/// PROJ takes tens of milliseconds to read it.
 template <typename Value>
 class Memo {
  public:
-  /// The value for a definition. `find` computes it the first time, and again if it has thrown.
+  /// The value for a definition. `find` computes it the first time, and again if it threw.
   template <typename Find>
   Value get(const std::string& definition, const Find& find) {
     constexpr std::size_t kMaxValues = 64;
@@ -40,7 +40,7 @@ class Memo {
   std::map<std::string, Value> values_;
 };
 
-/// The name and code that EPSG has for a unit of this size; "unknown" if it has none.
+/// EPSG's name and code for a unit of this size; "unknown" if it has none.
 struct NamedUnit {
   const char* name = "unknown";
   const char* code = nullptr;
@@ -63,7 +63,7 @@ std::string text_of(PJ_CONTEXT* context, const PJ* crs, PJ_WKT_TYPE type) {
 }  // namespace
 
 bool same_unit(double a_m, double b_m) {
-  constexpr double kRelativeTolerance = 1e-7;  // the two feet differ by 2e-6
+  constexpr double kRelativeTolerance = 1e-7;  // the two kinds of foot differ by 2e-6
   return std::abs(a_m - b_m) <= kRelativeTolerance * a_m;
 }
 

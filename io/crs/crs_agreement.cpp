@@ -18,7 +18,7 @@ namespace {
 using proj::Object;
 using proj::Parts;
 
-/// Whether both carry the same EPSG-like identifier; false if one carries none.
+/// Whether both have the same EPSG-like identifier; false if one has none.
 bool same_identifier(const PJ* a, const PJ* b) {
   const auto text = [](const char* value) { return std::string_view(value ? value : ""); };
   const std::string_view code = text(proj_get_id_code(a, 0));
@@ -45,7 +45,7 @@ std::string datum_name(PJ_CONTEXT* context, const PJ* crs) {
   return name == nullptr ? "" : name;
 }
 
-/// What a CRS is made of, one thing a word: its datum and the parameters of its PROJ string.
+/// The components of a CRS, one per string: its datum and the parameters of its PROJ string.
 std::vector<std::string> ingredients(PJ_CONTEXT* context, const PJ* crs) {
   std::vector<std::string> words{fmt::format("datum \"{}\"", datum_name(context, crs))};
   const char* const text = proj_as_proj_string(context, crs, PJ_PROJ_4, nullptr);
@@ -54,7 +54,7 @@ std::vector<std::string> ingredients(PJ_CONTEXT* context, const PJ* crs) {
   return words;
 }
 
-/// The words that `others` lacks; "none of these" if it has all of them.
+/// The words missing from `others`; "none of these" if it has all of them.
 std::string only_in(const std::vector<std::string>& words, const std::vector<std::string>& others) {
   std::string text;
   for (const std::string& word : words) {
@@ -63,7 +63,7 @@ std::string only_in(const std::vector<std::string>& words, const std::vector<std
   return text.empty() ? "none of these" : text;
 }
 
-/// One part of a CRS as messages name it.
+/// One part of a CRS, as named in messages.
 struct PartFacts {
   std::string name;
   std::string unit_name;
@@ -122,7 +122,7 @@ std::string one_without_heights(const CrsFacts& a, const CrsFacts& b) {
 }
 
 /// Whether the heights of two systems with compatible plans agree. Heights above the ellipsoid of
-/// one datum can differ in their unit only.
+/// one datum can differ only in their unit.
 bool same_heights(PJ_CONTEXT* context, Parts& a, Parts& b) {
   if (a.vertical && b.vertical) return equivalent(context, *a.vertical, *b.vertical);
   return !a.vertical && !b.vertical &&

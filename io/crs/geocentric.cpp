@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kDegPerRadian = 180.0 / std::numbers::pi;
 
-/// Geocentric coordinates from longitude and latitude in radians and the height.
+/// The conversion to geocentric coordinates from longitude and latitude in radians and height.
 proj::Object cart_of(PJ_CONTEXT* context, const PJ* crs) {
   const proj::Object ellipsoid(proj_get_ellipsoid(context, crs));
   double semi_major_m = 0.0;
@@ -102,7 +102,7 @@ Eigen::Isometry3d GeocentricMap::geocentric_from_enu(const GeodeticPlace& place)
 }
 
 Eigen::Matrix3d GeocentricMap::derivative_at(const Eigen::Vector3d& x_in_geocentric_m) const {
-  constexpr double kStep_m = 10.0;  // rounding of 1e-9 m in coordinates of 6e6 m gives 1e-10
+  constexpr double kStep_m = 10.0;  // rounding of 1e-9 m in coordinates of 6e6 m contributes 1e-10
   Eigen::Matrix3d J;
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector3d step = kStep_m * Eigen::Vector3d::Unit(axis);

@@ -16,7 +16,7 @@ struct GeodeticPlace {
 };
 
 /// Converts between geocentric coordinates, the ellipsoid and a map whose heights are above that
-/// ellipsoid. All three have one datum, so that nothing is lost and no grid is needed.
+/// ellipsoid. All three share one datum, so that the conversions are exact and need no grid.
 class GeocentricMap {
  public:
   /// Throws std::invalid_argument if PROJ cannot read the definition, and if the system is not
@@ -36,9 +36,8 @@ class GeocentricMap {
   /// The frame with axes east, north and up at a place.
   [[nodiscard]] Eigen::Isometry3d geocentric_from_enu(const GeodeticPlace& place) const;
 
-  /// The rotation that is nearest to the derivative of map_from_geocentric() at a place. The map is
-  /// not true to scale, which no rotation shows: plan_scale() has how much longer the plan is than
-  /// the ground.
+  /// The rotation nearest to the derivative of map_from_geocentric() at a place. A rotation cannot
+  /// represent the map scale, so plan_scale() gives it: the ratio of plan to ground distances.
   [[nodiscard]] Eigen::Matrix3d map_rotation_at(const Eigen::Vector3d& x_in_geocentric_m) const;
   [[nodiscard]] double plan_scale(const Eigen::Vector3d& x_in_geocentric_m) const;
 
@@ -48,10 +47,10 @@ class GeocentricMap {
   std::unique_ptr<Transforms> transforms_;
 };
 
-/// The code of the UTM zone of WGS 84 that a place lies in: "EPSG:32632".
+/// The code of the WGS 84 UTM zone that contains the place: "EPSG:32632".
 Crs utm_zone_of(const GeodeticPlace& place);
 
-/// The place with these geocentric coordinates on the ellipsoid of WGS 84.
+/// The place on the WGS 84 ellipsoid with these geocentric coordinates.
 GeodeticPlace wgs84_place_of(const Eigen::Vector3d& x_in_geocentric_m);
 
 }  // namespace ridgeline::io

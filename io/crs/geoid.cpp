@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kWorldGrid = "egm96_15.gtx";
 constexpr double kWorldAccuracy_m = 2.0;
-constexpr double kOwnAccuracy_m = 0.5;  // of a grid made for the heights of the place
+constexpr double kOwnAccuracy_m = 0.5;  // of a grid made for the local height system
 
 /// A grid as a transformation; null if PROJ cannot read it.
 proj::Object grid_shift(PJ_CONTEXT* context, const std::string& name) {
@@ -31,7 +31,7 @@ proj::Object grid_shift(PJ_CONTEXT* context, const std::string& name) {
   return proj::Object(proj_create(context, steps.c_str()));
 }
 
-/// The grid's value; nothing where it has none.
+/// The grid's value; std::nullopt where it has none.
 std::optional<double> value_at(PJ* grid, double lon_deg, double lat_deg) {
   const PJ_COORD out =
       proj_trans(grid, PJ_FWD, proj_coord(lon_deg * kRadPerDeg, lat_deg * kRadPerDeg, 0.0, 0.0));
@@ -45,8 +45,8 @@ struct FactoryDeleter {
   }
 };
 
-/// The operations from a CRS to geographic coordinates with heights above the ellipsoid, also those
-/// whose grids are not there.
+/// The operations from a CRS to geographic coordinates with heights above the ellipsoid, including
+/// those whose grids are unavailable.
 proj::List operations_to_ellipsoid(PJ_CONTEXT* context, const PJ* crs, const PJ* horizontal) {
   const proj::Object geodetic(proj_crs_get_geodetic_crs(context, horizontal));
   if (!geodetic) return nullptr;
@@ -61,7 +61,7 @@ proj::List operations_to_ellipsoid(PJ_CONTEXT* context, const PJ* crs, const PJ*
   return proj::List(proj_create_operations(context, crs, target.get(), factory.get()));
 }
 
-/// The grids of an operation: the one that it needs and has, else those that are not there.
+/// The grids of an operation: the available and the missing ones.
 struct OperationGrids {
   std::vector<std::string> names, missing;
 };
@@ -82,7 +82,7 @@ OperationGrids grids_of(PJ_CONTEXT* context, const PJ* operation) {
   return grids;
 }
 
-/// The height above the ellipsoid of a point of height 0; nothing outside of the grid.
+/// The height above the ellipsoid of a point of height 0; std::nullopt outside the grid.
 std::optional<double> height_of_zero(PJ_CONTEXT* context,
                                      const PJ* operation,
                                      const Eigen::Vector2d& position) {
@@ -93,7 +93,7 @@ std::optional<double> height_of_zero(PJ_CONTEXT* context,
   return std::isfinite(out.xyz.z) ? std::optional(out.xyz.z) : std::nullopt;
 }
 
-/// The geoid by the vertical part of a CRS. Grids that are not there are added to `missing`.
+/// The geoid height from the vertical part of a CRS. Unavailable grids are added to `missing`.
 std::optional<GeoidHeight> by_vertical_part(const Crs& crs,
                                             const Eigen::Vector2d& position,
                                             std::set<std::string>& missing) {

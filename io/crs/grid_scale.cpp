@@ -35,7 +35,7 @@ std::optional<Ellipsoid> ellipsoid_of(PJ_CONTEXT* context, const PJ* crs) {
   return Ellipsoid{a_m, 1.0 - (b_m * b_m) / (a_m * a_m)};
 }
 
-/// The operation from east and north of a projected CRS to longitude and latitude of its own datum,
+/// The operation from east and north of a projected CRS to longitude and latitude in its own datum,
 /// degrees.
 Object lonlat_from_grid(PJ_CONTEXT* context, const PJ* projected) {
   const Object geodetic(proj_crs_get_geodetic_crs(context, projected));
@@ -46,7 +46,7 @@ Object lonlat_from_grid(PJ_CONTEXT* context, const PJ* projected) {
   return Object(proj_normalize_for_visualization(context, operation.get()));
 }
 
-/// Longitude and latitude of a place, degrees; not finite where the projection has none.
+/// Longitude and latitude of a place, degrees; non-finite where the projection is undefined.
 Eigen::Vector2d lonlat_deg(PJ* operation, const Eigen::Vector2d& x) {
   const PJ_COORD out = proj_trans(operation, PJ_FWD, proj_coord(x.x(), x.y(), 0.0, 0.0));
   return {out.xy.x, out.xy.y};
@@ -132,7 +132,7 @@ std::string scale_text(const GridScale& scale) {
 std::string utm_zone_text(const Crs& crs, const GridScale& scale) {
   struct Series {
     std::string_view datum;
-    int first_code;  ///< code of a zone, less its number
+    int first_code;  ///< EPSG code of a zone minus its number
     int first_zone, last_zone;
   };
   constexpr std::array kSeries{Series{"ETRS89", 25800, 28, 38}, Series{"NAD83", 26900, 1, 23}};

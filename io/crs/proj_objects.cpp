@@ -24,8 +24,8 @@ bool is_code(std::string_view text) {
          });
 }
 
-/// Whether the definition is something else than a name. PROJ takes any other text for a name and
-/// searches for one like it: "foo" finds Amersfoort.
+/// Whether the definition is something other than a name. PROJ takes any other text for a name and
+/// searches for a similar one: "foo" finds Amersfoort.
 bool is_definite(PJ_CONTEXT* context, const std::string& definition) {
   const std::size_t first = definition.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) return false;
@@ -142,7 +142,7 @@ CrsFacts facts_of(PJ_CONTEXT* context, const Parts& parts) {
 }
 
 Object identified(PJ_CONTEXT* context, const PJ& crs) {
-  constexpr int kEquivalentConfidence = 90;  // PROJ: equal but for the name
+  constexpr int kEquivalentConfidence = 90;  // in PROJ: equal except for the name
   int* confidences = nullptr;
   const List candidates(proj_identify(context, &crs, "EPSG", nullptr, &confidences));
   const bool sure = candidates && proj_list_get_count(candidates.get()) > 0 &&

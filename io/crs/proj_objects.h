@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-/// What the files that speak of reference systems share: PROJ's objects with their owners.
+/// PROJ objects with owning pointers, shared by the sources that deal with reference systems.
 namespace ridgeline::io::proj {
 
 struct ContextDeleter {
@@ -24,15 +24,16 @@ using Context = std::unique_ptr<PJ_CONTEXT, ContextDeleter>;
 using Object = std::unique_ptr<PJ, ObjectDeleter>;
 using List = std::unique_ptr<PJ_OBJ_LIST, ListDeleter>;
 
-/// Makes a context of PROJ. Each call needs its own, as contexts must not be shared between
+/// Creates a PROJ context. Each call needs its own, because contexts must not be shared between
 /// threads.
 Context make_context();
 
-/// Throws std::invalid_argument if PROJ finds no data base. Without it PROJ knows no code and
-/// cannot read WKT with a code.
+/// Throws std::invalid_argument if PROJ finds no database. Without it, PROJ can resolve neither
+/// codes nor WKT that contains a code.
 void check_data(PJ_CONTEXT* context);
 
-/// The reference system of a definition. Throws std::invalid_argument if PROJ cannot read it.
+/// Creates the reference system from its definition. Throws std::invalid_argument if PROJ cannot
+/// read it.
 Object create_crs(PJ_CONTEXT* context, const Crs& crs);
 
 /// A CRS without the datum shift that it may be bound to (TOWGS84 in WKT1).
@@ -47,8 +48,9 @@ struct Unit {
 /// The unit of an axis, counted from 0; `found` is false if the system has fewer axes.
 Unit axis_unit(PJ_CONTEXT* context, const PJ* crs, int axis);
 
-/// A CRS taken apart. The horizontal part has two axes. Heights above the ellipsoid, which three
-/// axes or a compound with the ellipsoid state, are kept as a unit and are no part of their own.
+/// The parts of a CRS. The horizontal part has two axes. Heights above the ellipsoid, given by a
+/// third axis or by a compound with the ellipsoid, are represented only by their unit, not by a
+/// part of their own.
 struct Parts {
   std::string name = "unknown";
   Object horizontal;
@@ -56,14 +58,14 @@ struct Parts {
   Unit ellipsoidal_height;
 };
 
-/// Splits a CRS into its parts; an unknown CRS has none. Throws std::invalid_argument for what PROJ
-/// cannot read, for what is no reference system, and for a geocentric one.
+/// Splits a CRS into its parts; an unknown CRS has none. Throws std::invalid_argument if PROJ
+/// cannot read the definition, if it is not a reference system, and if it is a geocentric one.
 Parts split(PJ_CONTEXT* context, const Crs& crs);
 
 CrsFacts facts_of(PJ_CONTEXT* context, const Parts& parts);
 
-/// The registered CRS that `crs` means, if only names differ (ESRI's spelling, older datum names);
-/// a copy of `crs` if PROJ is not nearly sure.
+/// The registered CRS that is equivalent to `crs` except for names (ESRI's spelling, older datum
+/// names); a copy of `crs` if PROJ is not sufficiently confident.
 Object identified(PJ_CONTEXT* context, const PJ& crs);
 
 }  // namespace ridgeline::io::proj

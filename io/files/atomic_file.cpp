@@ -19,17 +19,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A name in the folder of `path`. The ending of `path` is kept, since some libraries choose a
-/// format by it.
+/// A name in the folder of `path`. The extension of `path` is kept, because some libraries choose
+/// the format by it.
 std::string temporary_name(const fs::path& path) {
-  static std::atomic<unsigned> counter{0};  // tells the writers of this process apart
+  static std::atomic<unsigned> counter{0};  // distinguishes the writers of this process
   const std::string name = fmt::format(".{}.{}.{}.tmp{}", path.stem().string(), getpid(),
                                        counter.fetch_add(1), path.extension().string());
   return (path.parent_path() / name).string();
 }
 
-/// The path beside which the temporary file lies. A device's folder is no place for files, so the
-/// system's folder for temporary files takes its place.
+/// The path next to which the temporary file is created. For a device, it is in the system's folder
+/// for temporary files, because a device's folder is not meant for files.
 fs::path beside(const fs::path& path, bool is_device) {
   return is_device ? fs::temp_directory_path() / path.filename() : path;
 }
@@ -37,7 +37,7 @@ fs::path beside(const fs::path& path, bool is_device) {
 }  // namespace
 
 bool is_device(const std::string& path) {
-  std::error_code ignored;  // a path that does not exist is no device
+  std::error_code ignored;  // a path that does not exist is not a device
   const bool is_of_system = path.starts_with("/dev/") || path.starts_with("/proc/");
   return fs::is_other(path, ignored) || (is_of_system && fs::is_symlink(path, ignored));
 }
@@ -56,7 +56,7 @@ AtomicFile::AtomicFile(const std::string& path)
 AtomicFile::~AtomicFile() {
   if (committed_) return;
   stream_.close();
-  std::error_code ignored;  // a destructor has nobody to tell
+  std::error_code ignored;  // a destructor cannot report errors
   fs::remove(temporary_path_, ignored);
 }
 
@@ -74,7 +74,7 @@ void AtomicFile::commit() {
 
 void AtomicFile::send_to_device() {
   std::ifstream from(temporary_path_, std::ios::binary);
-  // a shell may have opened a file to append to
+  // a shell may have opened a file for appending
   std::ofstream to(path_, std::ios::binary | std::ios::app);
   if (fs::file_size(temporary_path_) > 0) to << from.rdbuf();
   to.close();

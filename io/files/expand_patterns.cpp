@@ -22,7 +22,7 @@ std::vector<std::string> matches_of(const std::string& pattern) {
   if (status == GLOB_NOMATCH) throw MissingFileError(pattern, "matches no file");
   if (status != 0) throw IoError(pattern, "cannot be searched; check the folder's permissions");
   std::vector<std::string> names(found.gl_pathv, found.gl_pathv + found.gl_pathc);
-  std::ranges::sort(names);  // sorted by bytes, as glob's own order depends on the locale
+  std::ranges::sort(names);  // sorted bytewise, because glob's own order depends on the locale
   return names;
 }
 
@@ -32,7 +32,7 @@ bool is_pattern(const std::string& text) {
          !std::filesystem::exists(text, ignored);  // a real file may be named "tile[1].las"
 }
 
-/// A file that two patterns match is one tile: its points count once.
+/// A file that matches two patterns is a single tile, whose points count once.
 std::vector<std::string> without_repeats(std::vector<std::string> paths) {
   std::set<std::filesystem::path> seen;
   std::erase_if(paths, [&](const std::string& path) {

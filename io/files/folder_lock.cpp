@@ -29,7 +29,7 @@ std::string owner_text() {
   return fmt::format("process {} on {}", getpid(), host.data());
 }
 
-/// The lines of the open file: its owner and the notes of that owner.
+/// The lines of the open lock file: the owner and the owner's notes.
 std::vector<std::string> lines_of(int descriptor) {
   std::string text;
   std::array<char, 4096> part{};
@@ -47,8 +47,8 @@ std::string owner_of(int descriptor) {
   return lines.empty() ? "another process" : lines.front();
 }
 
-/// Whether the path still names the open file. Its last owner may have removed the file after it
-/// was opened here.
+/// Whether the path still refers to the open file. Its last owner may have removed the file after
+/// it was opened here.
 bool is_in_place(int descriptor, const fs::path& file) {
   struct stat open_file {};
   struct stat named {};
@@ -59,7 +59,7 @@ bool is_in_place(int descriptor, const fs::path& file) {
 /// Opens the lock file, locks it and returns its descriptor. Throws IoError if another process
 /// holds the lock, or if the file cannot be opened.
 int locked_file(const fs::path& folder, const fs::path& file) {
-  constexpr int kMaxAttempts = 100;  // a file system may never tell that two names are one file
+  constexpr int kMaxAttempts = 100;  // some file systems never report two names as one file
   for (int attempt = 1;; ++attempt) {
     const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
     if (descriptor < 0) {
@@ -74,8 +74,8 @@ int locked_file(const fs::path& folder, const fs::path& file) {
           fmt::format("{} is writing results there; wait until it ends or choose another folder",
                       owner));
     }
-    // On a file system without locks flock() fails with another error. Results are written there
-    // all the same.
+    // On a file system without locks, flock() fails with a different error. Results are written
+    // nevertheless.
     if (is_in_place(descriptor, file) || attempt == kMaxAttempts) return descriptor;
     close(descriptor);
   }
@@ -141,12 +141,12 @@ FolderLock::FolderLock(const fs::path& folder)
   std::string text = owner_text() + "\n";
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const nlohmann::json entry = nlohmann::json::parse(lines[i], nullptr, false);
-    if (!entry.is_object()) continue;  // cut off by a kill
+    if (!entry.is_object()) continue;  // truncated by a kill
     has_list_ = has_unlisted_ = true;
     own_.add(nlohmann::json::array({entry}));
     text += lines[i] + "\n";
   }
-  // The end is cut off last, so that a kill in between loses no line.
+  // The file is truncated last, so that a kill in between loses no line.
   const auto written = pwrite(descriptor_, text.data(), text.size(), 0);
   if (written == static_cast<ssize_t>(text.size()))
     (void)!ftruncate(descriptor_, static_cast<off_t>(text.size()));

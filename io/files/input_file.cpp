@@ -15,8 +15,8 @@
 namespace ridgeline::io {
 namespace {
 
-/// Whether the path is a pipe that a shell has opened for the program. Reading such a pipe ends
-/// with its writer.
+/// Whether the path is a pipe that a shell has opened for the program. Such a pipe ends when its
+/// writer does.
 bool is_open_pipe(const std::string& path, const std::filesystem::file_status& status) {
   return std::filesystem::is_fifo(status) &&
          (path == "/dev/stdin" || path.starts_with("/dev/fd/") || path.starts_with("/proc/self/"));

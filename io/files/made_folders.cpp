@@ -23,7 +23,7 @@ MadeFolders::MadeFolders(const fs::path& folder) {
 }
 
 MadeFolders::~MadeFolders() {
-  std::error_code is_in_use;  // a folder in use stays
+  std::error_code is_in_use;  // a folder in use is kept
   for (const fs::path& folder : made_) fs::remove(folder, is_in_use);
 }
 

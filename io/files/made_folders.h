@@ -6,11 +6,11 @@
 
 namespace ridgeline::io {
 
-/// Makes a folder with those above it. The destructor removes the folders that were made if they
-/// are empty, so that a command that fails leaves no trace.
+/// Creates a folder and its missing parents. The destructor removes the created folders that are
+/// empty, so that a failed command leaves no trace.
 class MadeFolders {
  public:
-  /// Throws IoError if the folder cannot be made or is a file. An empty path makes nothing.
+  /// Throws IoError if the folder cannot be created or is a file. An empty path creates nothing.
   explicit MadeFolders(const std::filesystem::path& folder);
   ~MadeFolders();
   MadeFolders(const MadeFolders&) = delete;

@@ -53,7 +53,7 @@ void advise_whole_pages(std::span<const std::byte> range, int advice) {
   const std::size_t skipped = (page - begin % page) % page;
   if (range.size() < skipped + page) return;
   const std::size_t size = (range.size() - skipped) / page * page;
-  // madvise() takes a pointer that is not const, but does not change the bytes.
+  // madvise() takes a non-const pointer, but does not change the bytes.
   (void)madvise(const_cast<std::byte*>(range.data() + skipped), size, advice);
 }
 

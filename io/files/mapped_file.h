@@ -8,11 +8,11 @@
 
 namespace ridgeline::io {
 
-/// A whole file as read-only bytes, mapped and not copied, so that the system's page cache is the
-/// only copy. Empty files give an empty span.
+/// A whole file as read-only bytes, memory-mapped so that the system's page cache is the only copy.
+/// An empty file gives an empty span.
 class MappedFile {
  public:
-  /// Throws IoError unless `path` is a regular file that can be read.
+  /// Throws IoError unless `path` is a readable regular file.
   explicit MappedFile(const std::string& path);
   ~MappedFile();
   MappedFile(MappedFile&&) noexcept;
@@ -22,8 +22,9 @@ class MappedFile {
 
   [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
 
-  /// Says that the whole pages of a part of bytes() are not needed for now: they no longer count as
-  /// this program's memory, and come back from the page cache or the disk when they are read.
+  /// Tells the system that the pages lying entirely within `part` of bytes() are not needed for
+  /// now: they no longer count towards this program's memory and are reloaded from the page cache
+  /// or disk when next read.
   static void release(std::span<const std::byte> part);
 
  private:
@@ -32,8 +33,8 @@ class MappedFile {
   std::span<const std::byte> bytes_;
 };
 
-/// Gives the system one of madvise(2)'s hints for the pages that lie whole in a range of memory.
-/// The hint changes no byte, whether the system takes it or not.
+/// Gives the system a madvise(2) hint for the pages that lie entirely within a memory range. No
+/// byte changes, whether the system follows the hint or not.
 void advise_whole_pages(std::span<const std::byte> range, int advice);
 
 }  // namespace ridgeline::io

@@ -21,7 +21,7 @@ std::string text_at(const json& entry, const char* key) {
 
 bool is_sqlite(const fs::path& name) { return name.extension() == ".gpkg"; }
 
-/// The digest of an SQLite file without its header of 100 bytes, which holds counters.
+/// The digest of an SQLite file without its 100-byte header, which contains counters.
 std::string sha256_after_header(const fs::path& path) {
   constexpr std::size_t kHeaderBytes = 100;
   const MappedFile file(path.string());
@@ -30,7 +30,8 @@ std::string sha256_after_header(const fs::path& path) {
   return digest.hex_digest();
 }
 
-/// Whether another program has the SQLite file open, with changes that are not in it yet.
+/// Whether another program has the SQLite file open with changes that have not yet been written to
+/// it.
 bool has_changes_beside(const fs::path& file) {
   return std::ranges::any_of(std::array{"-wal", "-journal"}, [&](const char* ending) {
     std::error_code none;

@@ -11,9 +11,9 @@ namespace ridgeline::io {
 
 ScratchFolder::ScratchFolder(const std::string& target)
     : target_(std::filesystem::absolute(target)) {
-  std::error_code error;  // a failure shows in mkdtemp()
+  std::error_code error;  // mkdtemp() reports a failure
   std::filesystem::create_directories(target_.parent_path(), error);
-  // The name of a temporary file, by which FolderLock finds what a killed process has left.
+  // Named like a temporary file, so that FolderLock can find what a killed process has left.
   std::string pattern =
       (target_.parent_path() / fmt::format(".ridgeline.{}.0.tmp.XXXXXX", getpid())).string();
   if (mkdtemp(pattern.data()) == nullptr) {
@@ -23,7 +23,7 @@ ScratchFolder::ScratchFolder(const std::string& target)
 }
 
 ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;  // a folder that stays behind is no reason to lose the result
+  std::error_code ignored;  // a leftover folder is no reason to lose the result
   std::filesystem::remove_all(folder_, ignored);
 }
 

@@ -6,23 +6,24 @@
 
 namespace ridgeline::io {
 
-/// A temporary folder for a format of several files, or for a library that needs the final name. It
-/// lies beside the target, on the same disk, so that finished files can be renamed into place. It
-/// is removed with all that is left in it. A single file that we write ourselves needs AtomicFile
-/// only.
+/// A temporary folder for formats with several files, or for libraries that need the final name. It
+/// is created next to the target, on the same disk, so that finished files can be renamed into
+/// place. The destructor removes it with any remaining files. For a single file that we write
+/// ourselves, AtomicFile is sufficient.
 class ScratchFolder {
  public:
-  /// Makes missing folders. Throws IoError naming `target` if that fails or writing is forbidden.
+  /// Creates missing folders. Throws IoError naming `target` if that fails or writing is not
+  /// permitted.
   explicit ScratchFolder(const std::string& target);
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
-  /// The path at which to write what will become `target`.
+  /// The path to write to; publish() moves it to `target`.
   [[nodiscard]] std::string draft() const;
 
-  /// Moves all files of the folder beside the target, replacing older ones. The target itself is
-  /// moved last, so that all files are there once it is. Throws IoError.
+  /// Moves all files of the folder to the target's folder, replacing existing ones. The target
+  /// itself is moved last, so that once it exists, all files are complete. Throws IoError.
   void publish() const;
 
  private:

@@ -10,12 +10,13 @@ struct evp_md_ctx_st;  // OpenSSL's digest context
 
 namespace ridgeline::io {
 
-/// SHA-256 of bytes that come in pieces, by OpenSSL.
+/// SHA-256 of bytes that arrive in pieces, computed with OpenSSL.
 class Sha256 {
  public:
   Sha256();
   void update(std::span<const std::byte> bytes);
-  /// 64 lower-case hexadecimal digits of all bytes so far. The object is spent afterwards.
+  /// The digest of all bytes so far, 64 lower-case hexadecimal digits. The object must not be used
+  /// afterwards.
   std::string hex_digest();
 
  private:

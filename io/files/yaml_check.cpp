@@ -28,7 +28,7 @@ double number_of(const std::string& path, const YAML::Node& node, const std::str
   return *value;
 }
 
-/// Throws IoError if the file has too many values. yaml-cpp takes half a kilobyte and 5
+/// Throws IoError if the file has too many values. yaml-cpp needs half a kilobyte and 5
 /// microseconds for each.
 void require_few_values(const std::string& path, std::string_view content) {
   constexpr std::ptrdiff_t kMaxValues = 400'000;  // enough for the cameras of 10,000 images

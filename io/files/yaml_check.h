@@ -14,32 +14,35 @@
 
 namespace ridgeline::io {
 
-/// Throws IoError "PATH: line N: MESSAGE", without the line if the node has no place in the file.
+/// Throws IoError "PATH: line N: MESSAGE", without the line if the node has no position in the
+/// file.
 [[noreturn]] void fail_yaml(const std::string& path,
                             const YAML::Node& node,
                             const std::string& message);
 
-/// The root of a YAML file. Throws IoError if it cannot be read, with the parser's line, if it is
-/// empty or has more than one document, and if it is known to be of another kind than `expected`.
+/// The root of a YAML file. Throws IoError if it cannot be read (with the parser's line), if it is
+/// empty or has more than one document, and if it is recognised as a kind other than `expected`.
 YAML::Node load_yaml(const std::string& path, std::optional<FileGroup> expected = std::nullopt);
-/// The root of a YAML text. Throws IoError as load_yaml() does for its content; `path` is what
-/// messages call the text.
+/// The root of a YAML text. Throws IoError if load_yaml() would reject the content; messages refer
+/// to the text as `path`.
 YAML::Node parse_yaml(const std::string& content, const std::string& path);
 
-/// A mapping that is read strictly: a misspelt key must not silently become a default.
+/// A mapping that is read strictly, so that a misspelt key does not silently fall back to a
+/// default.
 class YamlMap {
  public:
-  /// Throws IoError if `node` is no mapping, or has a key twice or one that is not in `known`.
+  /// Throws IoError if `node` is not a mapping, or has a duplicate key or one that is not in
+  /// `known`.
   YamlMap(std::string path, const YAML::Node& node, const std::vector<std::string_view>& known);
 
   [[nodiscard]] bool has(const char* key) const { return find(key).has_value(); }
 
-  // Each of the functions below throws IoError if the key is missing or its value has another form.
+  // The functions below throw IoError if the key is missing or its value has the wrong form.
   [[nodiscard]] YAML::Node node(const char* key) const;
   [[nodiscard]] std::string text(const char* key) const;
   [[nodiscard]] double number(const char* key) const;  ///< finite
   [[nodiscard]] std::vector<double> numbers(const char* key, std::size_t count) const;
-  /// A list of texts; one text alone counts as a list of one.
+  /// A list of texts; a single text is read as a list of one.
   [[nodiscard]] std::vector<std::string> texts(const char* key) const;
 
   [[noreturn]] void fail(const char* key, const std::string& message) const;
@@ -51,7 +54,7 @@ class YamlMap {
   YAML::Node node_;
 };
 
-/// `count` finite numbers of a sequence; `name` serves the message. Throws IoError.
+/// A sequence of `count` finite numbers; otherwise throws IoError, with `name` in its message.
 std::vector<double> yaml_numbers(const std::string& path,
                                  const YAML::Node& node,
                                  const std::string& name,

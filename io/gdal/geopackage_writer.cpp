@@ -106,7 +106,7 @@ class GeopackageWriter {
 
   void write(const Crs& crs, const std::vector<MapLayer>& layers) {
     OGRSpatialReference reference = spatial_reference(crs).value_or(undefined_plane());
-    // one transaction, as GDAL would sync the disk for each feature otherwise
+    // one transaction, because GDAL would otherwise sync the disk for each feature
     dataset_->StartTransaction();
     for (const MapLayer& layer : layers) write_layer(layer, reference);
     write_styles(layers);
@@ -152,7 +152,7 @@ class GeopackageWriter {
     }
   }
 
-  /// The table of styles that QGIS itself writes.
+  /// The style table in the form that QGIS itself writes.
   void write_styles(const std::vector<MapLayer>& layers) {
     const std::vector<Column> columns{{"f_table_catalog", ColumnType::kText},
                                       {"f_table_schema", ColumnType::kText},

@@ -19,11 +19,12 @@ struct MapFeature {
   /// vertices the feature has no geometry.
   std::vector<Eigen::Vector3d> vertices;
   SparseRow values;
-  /// Of a multi-polygon, in place of `vertices`: each polygon by its rings, the outer one first.
+  /// Only for a multi-polygon, instead of `vertices`: the rings of each polygon, the outer one
+  /// first.
   std::vector<std::vector<std::vector<Eigen::Vector3d>>> polygons = {};
 };
 
-/// How QGIS (qml) and other programs (sld) draw a layer at first.
+/// Default style of a layer for QGIS (qml) and other programs (sld).
 struct MapStyle {
   std::string name, qml, sld;
 };
@@ -38,9 +39,9 @@ struct MapLayer {
 };
 
 /// Writes a GeoPackage of 3D layers with their styles (table `layer_styles`, as QGIS reads it).
-/// Layer and column names must differ without regard to case; features are numbered from 1. Text
-/// that is no UTF-8 is taken as Latin-1. The same map gives the same bytes. Written whole or not at
-/// all. Throws IoError if the file cannot be written.
+/// Layer and column names must be unique regardless of case; features are numbered from 1. Bytes
+/// that are not UTF-8 are read as Latin-1. The same map gives the same bytes. The file is written
+/// completely or not at all. Throws IoError if it cannot be written.
 void write_geopackage(const std::string& path, const Crs& crs, const std::vector<MapLayer>& layers);
 
 }  // namespace ridgeline::io

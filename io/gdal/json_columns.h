@@ -11,12 +11,12 @@
 
 namespace ridgeline::io {
 
-/// Turns JSON objects into rows of a table, with a column for each name. settle_types() completes
-/// the table.
+/// Converts JSON objects to rows of a table, with one column for each name. settle_types() must
+/// complete the table.
 class JsonColumns {
  public:
-  /// The members that are not null; arrays and objects as JSON text. No row of anything but an
-  /// object has values. Columns of new names are added to the table.
+  /// The members that are not null; arrays and objects as JSON text. The row is empty for anything
+  /// but an object. Columns with new names are added to the table.
   SparseRow row_of(const nlohmann::json& object, AttributeTable& table);
 
  private:

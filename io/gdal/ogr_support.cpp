@@ -27,7 +27,8 @@ FixedDate::~FixedDate() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", null
 
 void register_gdal_drivers() {
   static std::once_flag registered;
-  // Blocks of images are wanted once; the default cache is a share of the machine's memory.
+  // Each block of an image is needed only once; the default cache size is a share of the machine's
+  // memory.
   constexpr GIntBig kCacheBytes = GIntBig{64} << 20U;
   std::call_once(registered, [] {
     GDALAllRegister();
@@ -90,7 +91,7 @@ OGRSpatialReference undefined_plane() {
 
 Crs crs_of(const OGRSpatialReference* reference) {
   if (reference == nullptr) return {};
-  // GeoPackage names two undefined systems, and GDAL writes the geographic one whatever the
+  // GeoPackage defines two undefined systems, and GDAL writes the geographic one whatever the
   // coordinates are.
   const char* const name = reference->GetName();
   if (name != nullptr && std::string_view(name).starts_with("Undefined ")) return {};

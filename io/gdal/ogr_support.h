@@ -12,8 +12,9 @@
 
 namespace ridgeline::io {
 
-/// Keeps GDAL from printing while it lives and collects GDAL's complaints. GDAL's handlers are a
-/// stack per thread, so an object must end in the thread and block that it began in.
+/// Keeps GDAL from printing while the object exists and collects GDAL's messages. GDAL keeps a
+/// stack of handlers per thread, so an object must be destroyed in the thread and block that
+/// created it.
 class QuietGdal {
  public:
   QuietGdal();
@@ -21,17 +22,17 @@ class QuietGdal {
   QuietGdal(const QuietGdal&) = delete;
   QuietGdal& operator=(const QuietGdal&) = delete;
 
-  /// All complaints so far in one line of 200 characters at most; `fallback` if there are none.
+  /// All messages so far in one line of at most 200 characters; `fallback` if there are none.
   [[nodiscard]] std::string complaints(const std::string& fallback) const;
 
  private:
   std::vector<std::string> complaints_;
 };
 
-/// Registers GDAL's drivers, once in the process: GDALAllRegister() must not run in two threads.
+/// Registers GDAL's drivers once per process: GDALAllRegister() must not run in two threads.
 void register_gdal_drivers();
 
-/// Fixes the date that a GeoPackage stores as its time of writing, so that equal sets give equal
+/// Fixes the date that a GeoPackage stores as its time of writing, so that equal data give equal
 /// files. The option holds for this thread only.
 class FixedDate {
  public:
@@ -42,25 +43,25 @@ class FixedDate {
   FixedDate& operator=(const FixedDate&) = delete;
 };
 
-/// The reference system for GDAL, with axes east, north, up. Nothing if the definition is empty or
-/// PROJ cannot read it.
+/// The reference system for GDAL, with axes east, north, up. std::nullopt if the definition is
+/// empty or PROJ cannot read it.
 std::optional<OGRSpatialReference> spatial_reference(const Crs& crs);
 
-/// Makes a layer by GDALDataset::CreateLayer(). GDAL complains of a projected system with three
-/// axes, which has no WKT1, and then writes WKT2 (GeoPackage); this complaint is forgotten if there
-/// is a layer. A Shapefile has WKT1 alone and gets the system of the plan.
+/// Creates a layer with GDALDataset::CreateLayer(). A projected system with three axes cannot be
+/// expressed as WKT1: GDAL reports an error, but then writes WKT2 (GeoPackage), so the error is
+/// discarded if a layer was created. A Shapefile supports WKT1 only and gets the horizontal system.
 OGRLayer* create_layer(GDALDataset& dataset,
                        const std::string& name,
                        const OGRSpatialReference* reference,
                        OGRwkbGeometryType type,
                        CSLConstList options);
 
-/// The name of the system of a file whose data state none: a plane with metres that is nowhere on
-/// Earth.
+/// The name of the system written to a file whose data have no CRS: a plane in metres without a
+/// location on Earth.
 inline constexpr const char* kUndefinedPlane = "Undefined Cartesian SRS";
 OGRSpatialReference undefined_plane();
 
-/// The system as WKT2; unknown for null and for the undefined systems of GeoPackage.
+/// The system as WKT2; unknown for null and for GeoPackage's undefined systems.
 Crs crs_of(const OGRSpatialReference* reference);
 
 }  // namespace ridgeline::io

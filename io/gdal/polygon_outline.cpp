@@ -67,7 +67,7 @@ std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
         hull.pop_back();
       hull.push_back(x);
     }
-    if (!hull.empty()) hull.pop_back();  // the other side begins with it
+    if (!hull.empty()) hull.pop_back();  // the other side begins with this corner
   };
   add_side(points);
   std::ranges::reverse(points);

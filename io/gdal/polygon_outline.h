@@ -13,17 +13,17 @@ namespace ridgeline::io {
 /// The polygons of a file as one outline.
 struct PolygonOutline {
   std::vector<Eigen::Vector2d>
-      corners;  ///< of the convex hull of all polygons, counter-clockwise, units of the CRS
+      corners;  ///< of the convex hull of all polygons, counter-clockwise, in units of the CRS
   Crs crs;
 };
 
 /// The convex hull of points in plan, counter-clockwise, without points on its sides; fewer than
-/// three points if all lie on one line.
+/// three points if all points are collinear.
 std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points);
 
 /// Reads the polygons of all layers of a GeoPackage, GeoJSON or Shapefile; other geometries are
-/// passed over. Throws IoError if the file cannot be read, has no polygon with an area, has layers
-/// in different reference systems or coordinates that are not finite.
+/// ignored. Throws IoError if the file cannot be read, has no polygon with an area, or has layers
+/// in different reference systems or non-finite coordinates.
 PolygonOutline read_polygon_outline(const std::string& path);
 
 }  // namespace ridgeline::io

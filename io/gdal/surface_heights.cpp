@@ -33,8 +33,8 @@ GDALDatasetUniquePtr open_raster(const std::string& path, const QuietGdal& quiet
   return dataset;
 }
 
-/// First cell and end of the cells whose middles lie within [low, high], where cell i has its
-/// middle at origin + (i + 1/2) step.
+/// First cell and end of the cells whose centres lie within [low, high], where the centre of cell i
+/// is at origin + (i + 1/2) step.
 std::array<int, 2> cells_within(double origin, double step, double low, double high, int n) {
   const double a = (low - origin) / step - 0.5;
   const double b = (high - origin) / step - 0.5;

@@ -11,19 +11,19 @@
 
 namespace ridgeline::io {
 
-/// The heights of a surface model: a raster of one band, heights in metres.
+/// The heights of a surface model, a single-band raster of heights in metres.
 struct SurfaceHeights {
   std::vector<double> heights_m;  ///< of the cells within the bounds that have a height
   Crs crs;
 };
 
-/// Reads the cells of a GeoTIFF or ASCII grid whose middles lie within the bounds (units of its
-/// reference system), at most about four million of them, evenly spread. Throws IoError if the file
-/// cannot be read, has no georeference or one that is turned, or has no height within the bounds.
+/// Reads the cells of a GeoTIFF or ASCII grid whose centres lie within the bounds (units of its
+/// reference system); at most about four million of them, evenly distributed. Throws IoError if the
+/// file cannot be read, has no georeference or a rotated one, or has no height within the bounds.
 SurfaceHeights read_surface_heights(const std::string& path, const Eigen::AlignedBox2d& bounds);
 
-/// The files that are read with it, such as .prj, .tfw and .aux.xml. Throws IoError if it cannot be
-/// opened.
+/// The files that are read with a surface model, such as .prj, .tfw and .aux.xml. Throws IoError if
+/// the surface model cannot be opened.
 std::vector<std::string> files_beside_surface_model(const std::string& path);
 
 }  // namespace ridgeline::io

@@ -35,18 +35,18 @@ GDALDatasetUniquePtr in_memory(const cv::Mat& picture) {
   GDALDatasetUniquePtr dataset(
       driver->Create("", picture.cols, picture.rows, picture.channels(), GDT_Byte, nullptr));
   if (!dataset) return nullptr;
-  cv::Mat pixels = picture;  // RasterIO takes no constant buffer
+  cv::Mat pixels = picture;  // RasterIO requires a non-const buffer
   const CPLErr error = copy_pixels(GF_Write, *dataset, pixels);
   return error == CE_None ? std::move(dataset) : nullptr;
 }
 
-/// A file of GDAL's file system in memory; another one each time.
+/// A new file name in GDAL's in-memory file system.
 std::string file_in_memory() {
   static std::atomic<int> n_files = 0;
   return fmt::format("/vsimem/ridgeline_picture_{}", n_files++);
 }
 
-/// The bytes of a picture that GDAL encodes into a file in memory.
+/// Lets GDAL encode a picture into an in-memory file and returns its bytes.
 std::string encoded(const cv::Mat& picture, const char* driver_name, const CPLStringList& options) {
   const QuietGdal quiet;
   register_gdal_drivers();
@@ -81,7 +81,7 @@ void check_type(const char* function, const cv::Mat& picture) {
 std::string png_bytes(const cv::Mat& picture) {
   check_type("png_bytes", picture);
   CPLStringList options;
-  // The pictures are for people, so time counts more than bytes.
+  // The pictures are for display, so speed matters more than size.
   options.SetNameValue("ZLEVEL", "3");
   return encoded(picture, "PNG", options);
 }
@@ -98,7 +98,7 @@ cv::Mat decoded_jpeg(const std::string& bytes) {
   const QuietGdal quiet;
   register_gdal_drivers();
   const std::string file = file_in_memory();
-  std::vector<GByte> content(bytes.begin(), bytes.end());  // GDAL takes no constant buffer
+  std::vector<GByte> content(bytes.begin(), bytes.end());  // GDAL requires a non-const buffer
   VSIFCloseL(VSIFileFromMemBuffer(file.c_str(), content.data(), content.size(), FALSE));
   constexpr std::array<const char*, 2> kDrivers{"JPEG", nullptr};
   GDALDatasetUniquePtr dataset(

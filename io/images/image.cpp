@@ -28,8 +28,7 @@ Window whole_of(int width_px, int height_px) { return {0, 0, width_px, height_px
 
 double pixels_of(const Window& window) { return double(window.width) * window.height; }
 
-/// The window of an image that is wanted, in stored pixels. Throws IoError if it is not within the
-/// image.
+/// The requested window in stored pixels. Throws IoError if it is not within the image.
 Window wanted(const std::string& path, const ImageFacts& facts, const ImageReading& reading) {
   const bool swaps = swaps_axes(reading.turn);
   const int width = swaps ? facts.height_px : facts.width_px;
@@ -50,7 +49,7 @@ Window wanted(const std::string& path, const ImageFacts& facts, const ImageReadi
   return stored_window(window, reading.turn, facts.width_px, facts.height_px);
 }
 
-/// Appends the pixels of a list that are valid; all of them if `valid` is empty.
+/// Appends the valid pixels of a list; all of them if `valid` is empty.
 void append(const cv::Mat& list, const cv::Mat& valid, cv::Mat& pixels) {
   if (valid.empty()) return pixels.push_back(list);
   const cv::Mat is_valid = valid.reshape(0, list.rows);
@@ -87,7 +86,7 @@ class OpenImage {
     return image;
   }
 
-  /// Where the pixels have data; empty if they have it everywhere.
+  /// Mask of the pixels with data; empty if all of them have data.
   [[nodiscard]] cv::Mat is_valid(const Window& window, const cv::Mat& pixels) const {
     cv::Mat valid;
     for (int number = 1; number <= facts_.n_bands; ++number) {
@@ -103,7 +102,8 @@ class OpenImage {
     return cv::countNonZero(valid) == static_cast<int>(valid.total()) ? cv::Mat() : valid;
   }
 
-  /// Picture::sample. `whole` holds the pixels of the whole image, if they have been read.
+  /// Returns Picture::sample. `whole` contains the pixels of the whole image if they have been
+  /// read.
   [[nodiscard]] cv::Mat sample(const cv::Mat& whole) const {
     cv::Mat valid_ones;
     cv::Mat all;
@@ -145,8 +145,8 @@ class OpenImage {
     return valid;
   }
 
-  /// The number of rows of which each is decoded after those before it: all of PNG and JPEG, those
-  /// of a compressed strip, which GDAL may call blocks of one row.
+  /// The number of rows that can only be decoded in sequence: all rows of a PNG or JPEG, or those
+  /// of a compressed strip, which GDAL may report as blocks of one row.
   [[nodiscard]] std::optional<int> rows_in_sequence() const {
     constexpr std::uint64_t kUncompressed = 1;
     if (facts_.format == "PNG" || facts_.format == "JPEG") return facts_.height_px;
@@ -157,7 +157,7 @@ class OpenImage {
     return static_cast<int>(std::min(*rows, static_cast<std::uint64_t>(facts_.height_px)));
   }
 
-  /// At most 256 blocks that are spread evenly over the image; all of a small image.
+  /// At most 256 blocks, evenly distributed over the image; all of a small image.
   [[nodiscard]] std::vector<Window> sample_places() const {
     constexpr int kPerSide = 16;
     constexpr int kMaxPixels = kPerSide * kSampleBlock_px * kPerSide * kSampleBlock_px;
@@ -177,8 +177,8 @@ class OpenImage {
     return places;
   }
 
-  /// The first pixel of block i of n in a row of blocks. It is a multiple of the blocks' side, so
-  /// that a block lies in one tile of a file, whose sides are multiples of it, too.
+  /// The first pixel of block i of n in a row of blocks. It is a multiple of the block size, so
+  /// that a block lies within one tile of the file, whose sides are also multiples of that size.
   static int place(int i, int n, int size_px) {
     const int first = static_cast<int>((i + 0.5) / n * size_px) - kSampleBlock_px / 2;
     return std::max(0, first / kSampleBlock_px * kSampleBlock_px);

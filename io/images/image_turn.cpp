@@ -8,7 +8,7 @@
 namespace ridgeline::io {
 namespace {
 
-/// A turn is a transposition, or none, and then columns and rows that run backwards.
+/// A turn is an optional transposition, followed by optional reversals of columns and rows.
 struct TurnSteps {
   bool transposes, reverses_columns, reverses_rows;
 };

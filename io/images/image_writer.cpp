@@ -47,15 +47,15 @@ GDALDatasetUniquePtr create(const std::string& path,
 }
 
 CPLErr write_pixels(GDALDataset& dataset, int first_row, const cv::Mat& rows) {
-  cv::Mat pixels = rows;  // RasterIO takes no constant buffer
+  cv::Mat pixels = rows;  // RasterIO requires a non-const buffer
   return dataset.RasterIO(
       GF_Write, 0, first_row, rows.cols, rows.rows, pixels.data, rows.cols, rows.rows,
       gdal_type(rows.type()), rows.channels(), nullptr, static_cast<GSpacing>(rows.elemSize()),
       static_cast<GSpacing>(rows.step[0]), static_cast<GSpacing>(rows.elemSize1()), nullptr);
 }
 
-/// Writes what GDAL keeps of the pixels and forgets it. GDALDataset::FlushCache() would write the
-/// header anew too.
+/// Writes and releases the pixels that GDAL has cached. GDALDataset::FlushCache() would also
+/// rewrite the header.
 CPLErr flush_pixels(GDALDataset& dataset) {
   for (int band = 1; band <= dataset.GetRasterCount(); ++band) {
     if (dataset.GetRasterBand(band)->FlushCache(false) != CE_None) return CE_Failure;
@@ -94,7 +94,7 @@ TiffWriter::TiffWriter(const std::string& path,
 }
 
 TiffWriter::~TiffWriter() {
-  const QuietGdal gdal;  // of a file that could not be written
+  const QuietGdal gdal;  // for a file that could not be written
   file_.reset();
 }
 
@@ -118,7 +118,7 @@ void TiffWriter::commit() {
         file_->size_px.height);
   const QuietGdal gdal;
   CPLErrorReset();
-  file_->dataset.reset();  // what is still buffered is written here, and fails here
+  file_->dataset.reset();  // buffered data are written here, so this is where writing can fail
   if (CPLGetLastErrorType() >= CE_Failure) file_->fail(gdal);
   file_->file.commit();
 }

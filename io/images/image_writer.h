@@ -9,34 +9,34 @@
 
 namespace ridgeline::io {
 
-/// How the pixels of a TIFF lie in its file; bands are interleaved.
+/// Layout of the pixels in a TIFF; bands are interleaved.
 enum class TiffLayout : std::uint8_t {
-  kStrips,  ///< some rows after another, deflate with a predictor
-  kTiles,   ///< squares of kTile_px, not compressed: a window of a large image is read without the
-            ///< rest
+  kStrips,  ///< groups of rows, deflate with a predictor
+  kTiles,  ///< squares of kTile_px, uncompressed: a window of a large image can be read without the
+           ///< rest
 };
 
 /// The side of a tile.
 inline constexpr int kTile_px = 256;
 
-/// Writes an image as TIFF from top to bottom, whole or not at all: without commit() nothing is
-/// left. In tiles it needs the memory of the rows that are written at once, whatever the height of
-/// the image.
+/// Writes an image as TIFF from top to bottom, completely or not at all: without commit() no file
+/// is left behind. A tiled image needs memory only for the rows that are written at once, whatever
+/// its height.
 class TiffWriter {
  public:
-  /// `type`: CV_8UC(n) or CV_16UC(n), n = 1..4, the bands in the order of the file. Throws IoError
-  /// if the file cannot be written, std::invalid_argument for another type or an empty image.
+  /// `type`: CV_8UC(n) or CV_16UC(n), n = 1..4, with bands in file order. Throws IoError if the
+  /// file cannot be written, std::invalid_argument for another type or an empty image.
   TiffWriter(const std::string& path, const cv::Size& size_px, int type, TiffLayout layout);
   ~TiffWriter();
   TiffWriter(const TiffWriter&) = delete;
   TiffWriter& operator=(const TiffWriter&) = delete;
 
-  /// The next rows, as wide as the image; in tiles a multiple of kTile_px but for the last ones.
-  /// Throws IoError if they cannot be written, std::invalid_argument for rows that are not the next
-  /// ones of the image.
+  /// Writes the next rows, as wide as the image; for tiles their number must be a multiple of
+  /// kTile_px, except at the end. Throws IoError if they cannot be written, std::invalid_argument
+  /// for rows that do not fit as the next ones of the image.
   void write_rows(const cv::Mat& rows);
 
-  /// Puts the file in place. Throws IoError if it cannot, std::invalid_argument if rows are
+  /// Moves the file into place. Throws IoError if that fails, std::invalid_argument if rows are
   /// missing.
   void commit();
 
@@ -45,7 +45,7 @@ class TiffWriter {
   std::unique_ptr<OpenFile> file_;
 };
 
-/// Writes an image in strips. `image`, errors: as TiffWriter.
+/// Writes an image in strips. Type of `image` and errors: as for TiffWriter.
 void write_tiff(const std::string& path, const cv::Mat& image);
 
 }  // namespace ridgeline::io

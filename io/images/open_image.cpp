@@ -17,15 +17,15 @@ namespace ridgeline::io {
 namespace {
 
 constexpr std::array<std::pair<const char*, const char*>, 3> kOptions{{
-    // a JPEG that ends early is grey from there on; libjpeg calls that a warning
+    // a truncated JPEG is grey after the break, for which libjpeg only issues a warning
     {"GDAL_ERROR_ON_LIBJPEG_WARNING", "TRUE"},
-    // Files beside an image, such as .aux.xml, were not given by the user, so none is read and none
-    // is left behind.
+    // Files next to an image, such as .aux.xml, were not given by the user, so they are neither
+    // read nor written.
     {"GDAL_PAM_ENABLED", "NO"},
     {"GDAL_DISABLE_READDIR_ON_OPEN", "EMPTY_DIR"},
 }};
 
-/// Shortens a message, as GDAL repeats itself for every block of a damaged file.
+/// Shortens a message, because GDAL repeats itself for every block of a damaged file.
 std::string shortened(std::string text) {
   constexpr std::size_t kMaxLength = 200;
   if (text.size() <= kMaxLength) return text;
@@ -46,7 +46,7 @@ int bits_of(const std::string& path, GDALRasterBand& band, int number) {
   }
 }
 
-/// What GDAL knows of the way that pixels are stored; empty if it does not say.
+/// GDAL's information on how pixels are stored; empty if there is none.
 std::string_view structure(GDALMajorObject& object, const char* key) {
   const char* const text = object.GetMetadataItem(key, "IMAGE_STRUCTURE");
   return text == nullptr ? std::string_view() : std::string_view(text);
@@ -88,8 +88,8 @@ GDALDatasetUniquePtr ImageSession::open(const std::string& path) const {
     throw IoError(path, "is a device, pipe or socket; an image must be a regular file");
   }
   register_gdal_drivers();
-  // Only these drivers are used, as others of GDAL follow references to more files and to
-  // addresses.
+  // Only these drivers are used, because other GDAL drivers follow references to further files and
+  // to URLs.
   const char* const drivers[] = {"GTiff", "PNG", "JPEG", "JP2OpenJPEG", nullptr};
   GDALDatasetUniquePtr dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));

@@ -10,7 +10,7 @@
 
 namespace ridgeline::io {
 
-/// GDAL as images are read with it; for one thread, while the object lives.
+/// Sets GDAL up for reading images, for one thread and the lifetime of the object.
 class ImageSession {
  public:
   ImageSession();
@@ -18,17 +18,17 @@ class ImageSession {
   ImageSession(const ImageSession&) = delete;
   ImageSession& operator=(const ImageSession&) = delete;
 
-  /// Throws IoError for what is no image of a known format.
+  /// Throws IoError for anything but an image in a known format.
   [[nodiscard]] GDALDatasetUniquePtr open(const std::string& path) const;
 
-  /// Throws IoError with GDAL's complaints.
+  /// Throws IoError with GDAL's messages.
   [[noreturn]] void fail_to_decode(const std::string& path) const;
 
  private:
   QuietGdal quiet_;
 };
 
-/// Throws IoError for images that are not read; see image_facts().
+/// Throws IoError for unsupported images; see image_facts().
 ImageFacts facts_of(const std::string& path, GDALDataset& dataset);
 
 }  // namespace ridgeline::io

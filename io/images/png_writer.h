@@ -7,8 +7,8 @@
 
 namespace ridgeline::io {
 
-/// Writes a picture for people as PNG, whole or not at all. `picture`: CV_8UC1, or CV_8UC3 in
-/// OpenCV's order of bands (blue, green, red); else std::invalid_argument. Throws IoError if it
+/// Writes a picture for display as PNG, completely or not at all. `picture`: CV_8UC1, or CV_8UC3 in
+/// OpenCV's band order (blue, green, red); otherwise std::invalid_argument. Throws IoError if it
 /// cannot be written.
 void write_png(const std::string& path, const cv::Mat& picture);
 

@@ -9,9 +9,9 @@
 
 namespace ridgeline::io {
 
-/// The turn that an open image file states: of JPEG by EXIF, of TIFF by the tag Orientation of its
-/// first directory, which GDAL does not hand over. kNone for other formats, and where the tag is
-/// absent or has no known value.
+/// The turn stated by an open image file: from EXIF in a JPEG, from the Orientation tag of the
+/// first directory in a TIFF, which GDAL does not expose. kNone for other formats, and if the tag
+/// is absent or has an unknown value.
 ImageTurn stated_turn(const std::string& path, GDALDataset& dataset);
 
 }  // namespace ridgeline::io

@@ -7,8 +7,8 @@
 namespace ridgeline::io {
 namespace {
 
-/// Reads whole numbers of a TIFF (Adobe: TIFF, Revision 6.0, 1992, section 2) or BigTIFF in the
-/// byte order of the file.
+/// Reads integers of a TIFF (Adobe: TIFF, Revision 6.0, 1992, section 2) or BigTIFF in the byte
+/// order of the file.
 class TiffBytes {
  public:
   explicit TiffBytes(const std::string& path) : file_(path, std::ios::binary) {
@@ -17,7 +17,7 @@ class TiffBytes {
     is_big_endian_ = order[0] == 'M';
   }
 
-  /// Nothing beyond the end of the file.
+  /// std::nullopt beyond the end of the file.
   [[nodiscard]] std::optional<std::uint64_t> number(std::uint64_t offset, int n_bytes) {
     std::array<unsigned char, 8> bytes{};
     file_.clear();
@@ -36,7 +36,7 @@ class TiffBytes {
   bool is_big_endian_ = false;
 };
 
-/// SHORT, LONG or LONG8.
+/// Size of SHORT, LONG or LONG8.
 int bytes_of_type(std::optional<std::uint64_t> type) {
   constexpr std::uint64_t kLong = 4;
   constexpr std::uint64_t kLong8 = 16;
@@ -44,9 +44,9 @@ int bytes_of_type(std::optional<std::uint64_t> type) {
   return type == kLong8 ? 8 : 2;
 }
 
-/// Where the parts of a directory are.
+/// Positions of the parts of a directory.
 struct HeaderLayout {
-  std::uint64_t first_offset;  ///< where the place of the first directory is stated
+  std::uint64_t first_offset;  ///< position of the offset of the first directory
   int offset_bytes, count_bytes;
   std::uint64_t entry_bytes, value_in_entry;
 };
@@ -57,7 +57,7 @@ constexpr HeaderLayout kBig{8, 8, 8, 20, 12};
 
 std::optional<std::uint64_t> tiff_tag(const std::string& path, int tag) {
   constexpr std::uint64_t kBigMagic = 43;
-  constexpr std::uint64_t kMaxEntries = 4096;  // of a directory that is not damaged
+  constexpr std::uint64_t kMaxEntries = 4096;  // in an undamaged directory
   TiffBytes bytes(path);
   const HeaderLayout& layout = bytes.number(2, 2) == kBigMagic ? kBig : kClassic;
   const auto directory = bytes.number(layout.first_offset, layout.offset_bytes);

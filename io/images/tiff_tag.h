@@ -11,8 +11,8 @@ constexpr int kTiffCompression = 259;
 constexpr int kTiffOrientation = 274;
 constexpr int kTiffRowsPerStrip = 278;
 
-/// The whole number (SHORT, LONG, LONG8) that a tag of the first directory of a TIFF or BigTIFF
-/// holds, which GDAL does not hand over. Nothing if the tag is absent or the file ends early.
+/// The integer value (SHORT, LONG, LONG8) of a tag in the first directory of a TIFF or BigTIFF;
+/// GDAL does not expose it. std::nullopt if the tag is absent or the file is truncated.
 std::optional<std::uint64_t> tiff_tag(const std::string& path, int tag);
 
 }  // namespace ridgeline::io

@@ -8,8 +8,7 @@ namespace {
 
 using enum FileGroup;
 
-// Numbers without names of columns are left to the readers of tables, which name the missing
-// column.
+// Numbers without column names are left to the table readers, which name the missing column.
 constexpr std::array kGroups{
     GroupInfo{},
     GroupInfo{kCloud,

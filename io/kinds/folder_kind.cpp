@@ -51,8 +51,8 @@ std::string counted(std::size_t n, const char* what) {
   return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
-/// What lies in a folder, told by the endings of the names: "2 clouds and 1 image"; empty if there
-/// are none.
+/// Counts the contents of a folder by file extension: "2 clouds and 1 image"; empty if there are
+/// none.
 std::string contents(const std::vector<std::string>& names) {
   struct Count {
     FileGroup group;

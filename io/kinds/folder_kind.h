@@ -9,8 +9,8 @@
 
 namespace ridgeline::io {
 
-/// What a folder is by the names of what lies in it: results of the program, patches, LIMAP's
-/// tracks, a model of COLMAP, else how many clouds, images and line files. Nothing is opened.
+/// Identifies a folder by the names of its entries: results of ridgeline, patches, LIMAP tracks, a
+/// COLMAP model; otherwise the number of clouds, images and line files. No file is opened.
 FileKind kind_of_folder(const std::filesystem::path& folder);
 
 /// The patch.yaml of a folder, or those of its subfolders, sorted.

@@ -13,14 +13,14 @@ using enum FileGroup;
 
 struct Mark {
   std::string_view text;
-  std::size_t at = 0;  ///< byte of the file where the mark begins
+  std::size_t at = 0;  ///< byte offset in the file at which the mark begins
 };
 
 struct Format {
   const char* what;
   FileGroup group;
-  std::array<Mark, 4> marks = {};  ///< any of these tells
-  const char* extensions = "";     ///< as words; of lines the first is that of their reader
+  std::array<Mark, 4> marks = {};  ///< any one of these identifies the format
+  const char* extensions = "";     ///< as words; for lines, the first one selects the reader
   const char* advice = "";
 };
 
@@ -30,7 +30,7 @@ constexpr const char* kAsTiff = "save it as TIFF";
 constexpr const char* kAsDxf = "save it as DXF";
 constexpr const char* kGiveShp = "give the .shp";
 
-/// All formats. The first that fits decides, so special marks stand before general ones.
+/// All formats. The first match decides, so specific marks come before general ones.
 constexpr std::array kKnownFormats{
     Format{"a COPC point cloud", kCloud, {{{"copc", 377}}}},
     Format{"a LAS point cloud", kCloud, {{{"LASF"}}}, ".las"},

@@ -7,15 +7,15 @@
 
 namespace ridgeline::io {
 
-/// The kind that the first bytes of a file state by a mark of its format; kUnknown without such a
-/// mark. `start` must not begin with a byte order mark of UTF-8.
+/// The kind of a file whose first bytes contain the signature of a format; kUnknown without such a
+/// signature. `start` must not begin with a UTF-8 byte order mark.
 FileKind kind_by_mark(std::string_view start);
 
-/// The format of files with such an extension (".gml", lower case), where the content agrees;
-/// kUnknown if there is none.
+/// The format with this extension (".gml", lower case), for use where the content is consistent
+/// with it; kUnknown if there is none.
 FileKind format_with_extension(std::string_view extension);
 
-/// What files with such an extension hold, by the name alone.
+/// The kind that the extension suggests, based on the name only.
 FileKind kind_by_extension(std::string_view extension);
 
 }  // namespace ridgeline::io

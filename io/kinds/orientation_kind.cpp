@@ -47,14 +47,14 @@ bool is_pat_b(std::span<const TextRow> rows) {
   return true;
 }
 
-/// A row of a table without names of columns: a name that is no number, perhaps with blanks, six
-/// numbers and perhaps a camera.
+/// A row of a table without column names: a name that is not a number and may contain blanks, six
+/// numbers and optionally a camera.
 bool is_opk_row(std::string_view row) {
   constexpr int kNumbers = 6;
   const std::vector<std::string> fields = table_fields(row, separator_of(row));
   if (fields.size() < kNumbers + 1 || to_double(fields[0])) return false;
   const auto is_number = [](const std::string& field) { return to_double(field).has_value(); };
-  if (std::ranges::count_if(fields, is_number) > kNumbers + 1) return false;  // of something else
+  if (std::ranges::count_if(fields, is_number) > kNumbers + 1) return false;  // some other table
   return std::all_of(fields.begin() + 1, fields.begin() + 1 + kNumbers, is_number) ||
          std::all_of(fields.end() - kNumbers, fields.end(), is_number);
 }

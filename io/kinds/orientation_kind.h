@@ -7,10 +7,10 @@
 
 namespace ridgeline::io {
 
-/// Formats in which programs write where images were taken.
+/// Formats in which programs write camera poses.
 enum class OrientationFormat : std::uint8_t {
   kOpkTable,
-  kRollPitchYaw,  ///< refused: it tells of the aircraft
+  kRollPitchYaw,  ///< refused: these angles describe the aircraft
   kOpensfm,
   kPix4d,
   kInpho,
@@ -19,8 +19,8 @@ enum class OrientationFormat : std::uint8_t {
   kMetashape,
 };
 
-/// The format of an orientation by the beginning of its file, without a byte order mark; nothing if
-/// it is none.
+/// Identifies the format of an orientation by the beginning of its file, without a byte order mark;
+/// std::nullopt if it is not an orientation.
 std::optional<OrientationFormat> orientation_format(std::string_view start);
 
 /// "an orientation of images (OpenSfM)".

@@ -31,8 +31,8 @@ bool holds(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-/// Whether the file is the program's own report, which is a web page like any other but for its
-/// mark.
+/// Whether the file is the program's own report, which only a mark distinguishes from other web
+/// pages.
 bool is_report(std::string_view start) {
   return start.starts_with("<!doctype html>") && holds(start, "content=\"ridgeline\"");
 }
@@ -63,23 +63,22 @@ FileKind kind_by_bytes(std::string_view start) {
   return kind;
 }
 
-/// Lets the name decide where it tells more: the index of a Shapefile begins as a Shapefile does,
-/// and a sequence of JSON as GeoJSON.
+/// Lets the name decide where it is more specific: a Shapefile's index begins like a Shapefile, and
+/// a sequence of JSON texts like GeoJSON.
 FileKind with_name(const FileKind& kind, std::string_view extension) {
   constexpr std::array kExact{".shx", ".geojsonl", ".geojsons", ".ndjson", ".jsonl"};
   const bool is_exact = std::ranges::find(kExact, extension) != kExact.end();
   return kind.group == kLines && is_exact ? format_with_extension(extension) : kind;
 }
 
-/// The ending that stands for all endings of the same reader, which tells by the content what is in
-/// the file.
+/// The extension that represents all extensions of one reader, which distinguishes them by content.
 std::string_view reader_ending(std::string_view extension) {
   if (extension == ".json") return ".geojson";
   return extension == ".wkt" || extension == ".txt" ? ".csv" : extension;
 }
 
-/// Throws IoError if the name has another ending than its content needs, as lines are read by the
-/// ending.
+/// Throws IoError if the extension does not match the content, because the reader of lines is
+/// chosen by extension.
 void require_ending(const std::string& path, const FileKind& kind) {
   const std::string extension = extension_in(path);
   const bool fits = kind.ending.empty() || reader_ending(kind.ending) == reader_ending(extension);
@@ -95,7 +94,7 @@ void require_group(const std::string& path, const FileKind& kind, FileGroup expe
   if (expected == kLines && kind.group != kModel) require_ending(path, kind);
 }
 
-/// Models of buildings are read compressed, too.
+/// Building models may also be compressed.
 FileKind kind_in_gzip(std::string_view start) {
   const std::string text = inflated(start, kTelling_bytes).text;
   const FileKind kind = kind_of_text(text, false);

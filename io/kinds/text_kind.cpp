@@ -27,16 +27,16 @@ constexpr const char* kGeoJsonTypes =
     "FeatureCollection Feature Point MultiPoint LineString MultiLineString Polygon MultiPolygon "
     "GeometryCollection";
 
-/// A kind of document or table by the names in it.
+/// A kind of document or table, identified by the names in it.
 struct KnownMember {
   const char* what;
   FileGroup group;
-  const char* names;        ///< of keys or columns, as words: all of these
-  const char* advice = "";  ///< where it is not that of the group
+  const char* names;        ///< of keys or columns, as words, all of which must be present
+  const char* advice = "";  ///< if it differs from the advice for the group
   const char* ending = "";
 };
 
-/// Documents by the value of their outermost key `type`, of which one is named.
+/// Documents identified by their outermost key `type`, whose value is one of the names.
 constexpr std::array kDocumentTypes{
     KnownMember{kGeoJson, kLines, kGeoJsonTypes, "", ".geojson"},
     KnownMember{"a CityJSON feature", kOther, "CityJSONFeature",
@@ -44,14 +44,14 @@ constexpr std::array kDocumentTypes{
     KnownMember{kCityJson, kModel, "CityJSON CityJSONExtension", "", ".city.json"},
     KnownMember{"TopoJSON", kOther, "Topology", kAsGeoJson}};
 
-/// Documents by their outermost keys, the first that has all.
+/// Documents identified by their outermost keys; the first entry with all of them counts.
 constexpr std::array kDocuments{
     KnownMember{kCityJson, kModel, "CityObjects", "", ".city.json"},
     KnownMember{"glTF, a mesh for display", kOther, "asset meshes", kUnread},
     KnownMember{"glTF, a mesh for display", kOther, "asset scenes", kUnread},
     KnownMember{"Esri JSON", kOther, "geometryType", kAsGeoJson},
     KnownMember{"Esri JSON", kOther, "spatialReference", kAsGeoJson},
-    // the type may stand behind the features, where it is not read
+    // the type may follow the features, beyond the part that is read
     KnownMember{kGeoJson, kLines, "features", "", ".geojson"},
     KnownMember{"an evaluation of lines (evaluation.METHOD.json)", kEvaluation,
                 "patch method origin_m"},
@@ -63,7 +63,8 @@ constexpr std::array kDocuments{
                 "judge them by evaluate with `area`, and pool the results"},
     KnownMember{"a block file", kBlock, "block"}};
 
-/// Files that users write: the kind of which a file has the most keys, as single keys may be wrong.
+/// Files that users write, identified by the largest number of matching keys, because individual
+/// keys may be wrong.
 constexpr std::array kSettings{
     KnownMember{
         "a patch file", kPatch,
@@ -71,7 +72,7 @@ constexpr std::array kSettings{
     KnownMember{"a gates file", kGates, "gates"},
     KnownMember{"a config file", kConfig, "extract match chio reconstruct judge"}};
 
-/// Tables by the names of their columns, the first that has all.
+/// Tables identified by their column names; the first entry with all of them counts.
 constexpr std::array kTables{
     KnownMember{"a CSV of 3D lines", kLines, "x1 y1 z1 x2 y2 z2", "", ".csv"},
     KnownMember{kWkt, kLines, "wkt", "", ".wkt"},
@@ -93,7 +94,7 @@ FileKind kind_of(const KnownMember& known) {
           .ending = known.ending};
 }
 
-/// The first kind all names of which are there; kUnknown if there is none.
+/// The first kind whose names are all present; kUnknown if there is none.
 FileKind first_of(std::span<const KnownMember> table, std::span<const std::string> names) {
   const auto fits = [&](const KnownMember& known) {
     return std::ranges::all_of(words_of(known.names), [&](std::string_view name) {
@@ -127,7 +128,7 @@ FileKind kind_of_xml(std::string_view start) {
   return kind_of({"a building model (CityGML)", kModel, "", "", ".gml"});
 }
 
-/// The fields of a row in lower case, without quotes, whatever divides them.
+/// The fields of a row in lower case, without quotes, whatever the separator.
 std::vector<std::string> fields_of_any(std::string_view row) {
   std::vector<std::string> fields(1);
   for (const char c : lower_case(row)) {
@@ -146,12 +147,12 @@ bool is_numbers(const std::vector<std::string>& fields) {
          });
 }
 
-/// Whether a row is WKT or holds it in a column.
+/// Whether a row is WKT or contains it in a column.
 bool holds_wkt(const TextRow& row) {
   return begins_as_wkt(row.text) || lower_case(row.text).find("linestring") != std::string::npos;
 }
 
-/// The kind of a text by its rows that are no comments.
+/// Identifies a text by its rows without comments.
 FileKind kind_of_rows(std::span<const TextRow> rows) {
   if (std::ranges::any_of(rows.first(std::min<std::size_t>(rows.size(), 2)), holds_wkt)) {
     return kind_of({kWkt, kLines, "", "", ".wkt"});
@@ -202,7 +203,7 @@ FileKind kind_of_text(std::string_view start, bool is_whole) {
   if (FileKind kind = kind_of_document(top_keys(start)); kind.is_known()) return kind;
   const bool is_json =
       !rows.empty() && (rows.front().text.starts_with('{') || rows.front().text.starts_with('['));
-  if (is_json) return {};  // the rows of JSON say nothing
+  if (is_json) return {};  // the rows of JSON are not conclusive
   if (!is_whole && rows.size() > 1) rows.pop_back();
   std::erase_if(rows, is_aside);
   return rows.empty() ? FileKind() : kind_of_rows(rows);

@@ -8,12 +8,12 @@
 
 namespace ridgeline::io {
 
-/// What a JSON or YAML document is, by its outermost keys; kUnknown if they leave that open: none
-/// of the keys that we know, or as many of one kind as of another.
+/// Identifies a JSON or YAML document by its outermost keys; kUnknown if they are inconclusive: no
+/// known key, or as many keys of one kind as of another.
 FileKind kind_of_document(const TopKeys& keys);
 
-/// What a text is by its first rows: a JSON or YAML document, XML, a table, lines or numbers.
-/// `is_whole`: nothing follows, so the last row is not cut.
+/// Identifies a text by its first rows: a JSON or YAML document, XML, a table, lines or numbers.
+/// `is_whole`: nothing follows, so the last row is complete.
 FileKind kind_of_text(std::string_view start, bool is_whole);
 
 }  // namespace ridgeline::io

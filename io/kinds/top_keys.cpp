@@ -10,8 +10,7 @@
 namespace ridgeline::io {
 namespace {
 
-/// Walks over braces, quotes, colons and commas; only what lies directly in the outermost braces
-/// counts.
+/// Scans braces, quotes, colons and commas; only keys directly inside the outermost braces count.
 class FlowKeys {
  public:
   TopKeys read(std::string_view text) {
@@ -70,7 +69,7 @@ class FlowKeys {
   bool escaped_ = false, in_value_ = false;
 };
 
-/// Takes the first row, with the blanks that it begins with.
+/// Removes and returns the first row, including its leading blanks.
 std::string_view take_row(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   const std::string_view row = text.substr(0, end);
@@ -91,8 +90,8 @@ bool is_key(std::string_view row) {
   return row.find(' ') > colon && (trimmed(value).empty() || value.front() == ' ');
 }
 
-/// The keys of YAML in block style: `key:` at the very beginning of a row. None of a text that is
-/// prose with examples: more of its rows are no keys.
+/// The keys of YAML in block style: `key:` at the very beginning of a row. Empty for prose with
+/// examples, in which most rows are not keys.
 TopKeys block_keys(std::string_view text) {
   TopKeys found;
   std::size_t n_prose = 0;

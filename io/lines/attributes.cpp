@@ -50,7 +50,8 @@ json unwrapped(const json& value) {
   return inner.is_discarded() ? value : inner;
 }
 
-/// Thrown for a value of another shape than ours, which belongs to a column of another tool.
+/// Thrown for a value whose shape differs from ours and which therefore belongs to another tool's
+/// column.
 struct OtherShape {
   std::string rule;  ///< shape that our values have
 };
@@ -121,7 +122,7 @@ json with_lower_case_names(const json& properties) {
   for (const auto& [name, value] : properties.items()) {
     if (!is_empty(value)) lower[lower_case(name)] = value;
   }
-  // The name epi_deg fits the ten characters of a Shapefile's column.
+  // The name epi_deg fits into the ten characters of a Shapefile column name.
   if (lower.contains("epi_deg")) lower.emplace("epipolar_angle_deg", lower["epi_deg"]);
   return lower;
 }
@@ -141,15 +142,15 @@ void clear_attribute(std::string_view name, Line& line) {
   }
 }
 
-/// The place without the path, as warnings begin with it: "feature 3" of "lines.geojson: feature
-/// 3", "row 4" of "lines.csv:4".
+/// The location without the path, with which warnings already begin: "feature 3" of "lines.geojson:
+/// feature 3", "row 4" of "lines.csv:4".
 std::string place_in_file(std::string_view where, std::string_view path) {
   if (where.starts_with(path)) where.remove_prefix(path.size());
   if (where.starts_with(": ")) return std::string(where.substr(2));
   return where.starts_with(':') ? fmt::format("row {}", where.substr(1)) : std::string(where);
 }
 
-/// Throws IoError for a value of our shape that no line can have, as this is a fault of the file.
+/// Throws IoError for a value of our shape that no line can have, because the file is then faulty.
 void check_covariance(const Matrix6d& covariance_m2,
                       const std::string& id,
                       const std::string& where) {
@@ -257,7 +258,7 @@ void AttributeReader::take_covariance(const json& values, const std::string& whe
       is_whole = is_whole && !misfits_.contains(name);
     }
     if (!is_whole) return;
-    // The sign is kept, as the squares of negative sigmas would pass for variances.
+    // The sign is kept because the squares of negative sigmas would pass for variances.
     line.covariance_m2 = sigma_m.cwiseProduct(sigma_m.cwiseAbs()).asDiagonal();
   }
   if (line.covariance_m2) check_covariance(*line.covariance_m2, line.id, where);

@@ -37,19 +37,19 @@ struct NumberAttribute {
 };
 std::span<const NumberAttribute> number_attributes();
 
-/// Reads the attributes that the features of a file state. Names may have any case; unknown ones
-/// are passed over. Numbers may be given as text, arrays as JSON text (formats without arrays). The
-/// covariance is 6x6 or 36 numbers; without it `sigma_start_m` and `sigma_end_m` make a diagonal
-/// one. A column with our name but values of another shape belongs to another tool, so none of its
-/// values is used.
+/// Reads the attributes of the features of a file. Names are case-insensitive; unknown ones are
+/// ignored. Numbers may be given as text, arrays as JSON text (formats without arrays). The
+/// covariance is 6x6 or 36 numbers; without it, `sigma_start_m` and `sigma_end_m` form a diagonal
+/// one. A column with one of our names but values of a different shape is assumed to belong to
+/// another tool, so none of its values are used.
 class AttributeReader {
  public:
-  /// The attributes of a feature. Throws IoError naming `where`, the line and the value for a
-  /// variance or sigma that is negative or not finite.
+  /// The attributes of a feature. Throws IoError naming `where`, the line and the value if a
+  /// variance or sigma is negative or not finite.
   Line line_of(const nlohmann::json& properties, const std::string& where);
 
-  /// Removes from the lines what was read from other tools' columns. A warning names each column
-  /// with its first misfit.
+  /// Removes from the lines the values read from other tools' columns. A warning names each such
+  /// column and its first misfit.
   void finish(LineSet& set) const;
 
  private:
@@ -71,8 +71,8 @@ class AttributeReader {
 /// Text of an id or a name that may be a number: "7" for 7, empty for null.
 std::string text_of(const nlohmann::json& value);
 
-/// The covariance as nested JSON rows, six significant digits: relative 1e-5 of a variance is far
-/// below what the variance itself is known to.
+/// The covariance as nested JSON rows, with six significant digits: a relative error of 1e-5 is far
+/// below the uncertainty of the variance itself.
 std::string covariance_text(const Eigen::Matrix<double, 6, 6>& covariance_m2);
 
 }  // namespace ridgeline::io

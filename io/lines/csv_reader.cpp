@@ -21,11 +21,11 @@ constexpr std::array<std::string_view, 6> kCoordinates{"x1", "y1", "z1", "x2", "
 constexpr std::array<std::string_view, 5> kWktNames{"wkt", "geometry", "geom", "the_geom",
                                                     "wkt_geom"};
 
-/// Stands in place of a separator if the row is one field.
+/// Takes the place of the separator if the row is a single field.
 constexpr char kOneField = '\0';
 
-/// The separator of a row: the first of the list ; tab , | that stands outside quotes, else a blank
-/// if there are several words.
+/// The separator of a row: the first of the list ; tab , | that occurs outside quotes, otherwise a
+/// blank if there are several words.
 char separator_of(std::string_view row) {
   std::string unquoted;
   bool quoted = false;
@@ -50,7 +50,7 @@ std::vector<std::string> row_fields(std::string_view row,
   return csv_fields_of(row, separator, where);
 }
 
-/// A number. Its decimal mark may be a comma if commas do not separate the fields.
+/// A number; its decimal mark may be a comma if commas do not separate the fields.
 std::optional<double> coordinate_of(const std::string& word, char separator) {
   const std::optional<double> number = to_double(word);
   if (number || separator == ',' || std::ranges::count(word, ',') != 1) return number;
@@ -59,7 +59,7 @@ std::optional<double> coordinate_of(const std::string& word, char separator) {
   return to_double(with_point);
 }
 
-/// Where a line's geometry stands in a row.
+/// Where a row holds a line's geometry.
 struct Columns {
   std::vector<std::string> names;
   std::optional<std::size_t> wkt;
@@ -77,7 +77,7 @@ bool has_coordinates(const std::vector<std::string>& names) {
                              [&](std::string_view name) { return find(names, name).has_value(); });
 }
 
-/// The column of WKT by its name, else by what the first row holds.
+/// The WKT column, found by its name, otherwise by the contents of the first row.
 std::optional<std::size_t> wkt_column(const std::vector<std::string>& names,
                                       const std::vector<std::string>& first_row) {
   for (const std::string_view name : kWktNames) {
@@ -150,21 +150,21 @@ std::optional<char> stated_separator(std::string_view row) {
   return row.size() == 5 ? row[4] : '\t';  // a tab is trimmed off the row
 }
 
-/// The text of a comment; nothing for a row that is none.
+/// The text of a comment; std::nullopt for a row that is not a comment.
 std::optional<std::string_view> comment_of(std::string_view row) {
   if (!row.starts_with('#') && !row.starts_with("//")) return std::nullopt;
   return trimmed(row.substr(std::min(row.find_first_not_of("#/"), row.size())));
 }
 
-/// Whether a comment names columns. A sentence that holds the word "geometry" does not.
+/// Whether a comment names columns. A sentence that contains the word "geometry" does not.
 bool is_header(const std::vector<std::string>& fields, char separator) {
   const std::vector<std::string> names = lower_case_names(fields);
   if (has_coordinates(names)) return true;
   return separator != ' ' && separator != kOneField && wkt_column(names, {}).has_value();
 }
 
-/// The layout of a file. Comments before the first row are passed over; one that names the columns
-/// is the header.
+/// The layout of a file. Comments before the first row are skipped; one that names the columns is
+/// the header.
 Layout layout_of(const std::string& path, const std::vector<TextRow>& rows) {
   Layout layout;
   std::size_t i = 0;
@@ -179,7 +179,7 @@ Layout layout_of(const std::string& path, const std::vector<TextRow>& rows) {
     layout.header_row = i;
     if (!comment) break;
     if (!is_header(layout.header, layout.separator)) continue;
-    // NumPy writes any header before rows of its own separator
+    // NumPy writes any header before rows with its own separator
     if (!stated && i + 1 < rows.size()) layout.separator = separator_of(rows[i + 1].text);
     break;
   }
@@ -192,7 +192,7 @@ Layout layout_of(const std::string& path, const std::vector<TextRow>& rows) {
   return layout;
 }
 
-/// The numbers of the columns that hold no geometry.
+/// Indices of the columns that do not hold geometry.
 std::vector<std::size_t> attribute_columns(const Columns& columns) {
   const auto& xyz = columns.coordinates;
   std::vector<std::size_t> numbers;
@@ -204,7 +204,7 @@ std::vector<std::size_t> attribute_columns(const Columns& columns) {
   return numbers;
 }
 
-/// What the columns of a row hold, as words; widens the types of the table's columns to take them.
+/// The values of a row as words; widens the types of the table's columns to fit them.
 class RowValues {
  public:
   RowValues(const std::vector<std::string>& header, const Columns& columns, AttributeTable& table)

@@ -11,7 +11,7 @@
 namespace ridgeline::io {
 namespace {
 
-/// A code, which tells the meaning of a value, and the value, one row each.
+/// A code, which gives the meaning of a value, and the value, one row each.
 struct DxfGroup {
   long code = -1;
   std::string_view value;
@@ -21,7 +21,7 @@ class DxfGroups {
  public:
   explicit DxfGroups(std::string_view content) : rest_(content) {}
 
-  /// The next group; nothing at the end, and where the rows are no groups.
+  /// The next group; std::nullopt at the end and if the rows are not groups.
   std::optional<DxfGroup> next() {
     if (rest_.empty()) return std::nullopt;
     const std::optional<long> code = to_integer(row());
@@ -40,7 +40,7 @@ class DxfGroups {
   std::string_view rest_;
 };
 
-/// The name of a unit of $INSUNITS; empty for metres (6) and none (0), which need no word.
+/// The name of a unit of $INSUNITS; empty for metres (6) and none (0), which need no name.
 std::string unit_name(long code) {
   constexpr std::array<std::pair<long, const char*>, 11> kUnits{{{1, "inches"},
                                                                  {2, "feet"},
@@ -59,7 +59,7 @@ std::string unit_name(long code) {
   return "";
 }
 
-/// An entry of the table of layers as far as it is read.
+/// The part of a layer table entry that is read.
 struct DxfLayer {
   std::string name;
   bool is_frozen = false, is_off = false;

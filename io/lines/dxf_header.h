@@ -7,13 +7,13 @@
 
 namespace ridgeline::io {
 
-/// What a DXF states before its entities but GDAL does not tell.
+/// Information that a DXF states before its entities but that GDAL does not report.
 struct DxfHeader {
-  std::string unit;  ///< unit by $INSUNITS, "millimetres"; empty for metres and if none is stated
+  std::string unit;  ///< unit from $INSUNITS, "millimetres"; empty for metres and if none is stated
   std::set<std::string> hidden_layers;  ///< frozen or off; in lower case, UTF-8
 };
 
-/// Reads the header of a DXF. Text that is no DXF, or a binary DXF, states nothing.
+/// Reads the header of a DXF. The result is empty for text that is not DXF and for binary DXF.
 DxfHeader dxf_header(std::string_view content);
 
 }  // namespace ridgeline::io

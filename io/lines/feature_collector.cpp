@@ -19,7 +19,7 @@ bool is_finite_chain(const Vertices& vertices) {
   return std::ranges::all_of(vertices, [](const auto& x) { return x.allFinite(); });
 }
 
-/// The edges of polygons that were not added before, in either direction.
+/// The edges of polygons that have not been added before, in either direction.
 class NewEdges {
  public:
   std::vector<Vertices> of(const std::vector<std::vector<Vertices>>& polygons) {
@@ -32,7 +32,8 @@ class NewEdges {
  private:
   using Cell = std::array<double, 3>;
 
-  /// The rounded place of a corner, as neighbours state a common corner with other last digits.
+  /// The rounded position of a corner, because neighbours state a common corner with different last
+  /// digits.
   static Cell cell_of(const Eigen::Vector3d& x) {
     constexpr double kPerUnit = 1000.0;
     return {std::round(x.x() * kPerUnit), std::round(x.y() * kPerUnit),
@@ -65,7 +66,7 @@ Face face_of(const std::vector<Vertices>& rings) {
   return face;
 }
 
-/// By our own columns, by those of 3DBAG and of GML, or by the number of the feature.
+/// The building id from our own column, from those of 3DBAG and GML, or from the id of the feature.
 std::string building_id(const Line& stated, const Feature& feature) {
   if (!stated.building.empty()) return stated.building;
   for (const char* const name : {"identificatie", "gml_id"}) {

@@ -15,18 +15,18 @@
 
 namespace ridgeline::io {
 
-/// What a feature's geometry holds, however deep in collections.
+/// The contents of a feature's geometry, including nested collections.
 struct FeatureGeometry {
   std::vector<Vertices> lines;
-  std::vector<std::vector<Vertices>> polygons;  ///< with heights, by their rings; closed
+  std::vector<std::vector<Vertices>> polygons;  ///< with heights, each as its closed rings
   KindCounts others;
 
   /// Adds a polygon. A polygon without rings, or with a ring that lacks a height, is counted in
   /// `others`.
   void add_polygon(std::vector<Vertices> polygon_rings);
   [[nodiscard]] bool has_lines() const { return !lines.empty(); }
-  /// Whether the geometry may give lines. Points alone make no line. A feature without anything
-  /// stays in the set, as a line without a place.
+  /// Whether the geometry may yield lines. Points alone yield none. A feature without any geometry
+  /// stays in the set as a line without a position.
   [[nodiscard]] bool may_be_line() const {
     return has_lines() || !polygons.empty() || others.empty();
   }
@@ -40,26 +40,27 @@ struct Feature {
   std::string id;        ///< used if the properties have none; may be empty
   std::int64_t fid = 0;  ///< see Line::source_fid
   int layer = 0;
-  std::string where;                  ///< place of the feature, for messages
-  std::function<SparseRow()> values;  ///< gives what its columns hold; called if it becomes a line
+  std::string where;                  ///< location of the feature, for messages
+  std::function<SparseRow()> values;  ///< its column values; called if it becomes a line
 };
 
-/// Turns the features of a file of points, lines and polygons into lines. These are the lines that
-/// the file holds. If it holds no 3D line, they are the edges of its polygons with heights; an edge
-/// that neighbours share is taken once. If features are of several polygons, with walls among them,
-/// they are buildings, whose roofs give the lines (lines_of_model()). All else is counted in
-/// LineSet::left_out.
+/// Turns the features of a file (points, lines and polygons) into lines. These are the lines in the
+/// file. If it has no 3D lines, they are the edges of its polygons with heights; an edge shared by
+/// neighbours is taken once. If features consist of several polygons, including walls, they are
+/// buildings, and the lines are the edges of their roofs (lines_of_model()). Everything else is
+/// counted in LineSet::left_out.
 class FeatureCollector {
  public:
   explicit FeatureCollector(LineSet& set) : set_(set) {}
 
-  /// Throws IoError as AttributeReader does, and if the lines take too much memory.
+  /// Throws IoError under the same conditions as AttributeReader, and if the lines take too much
+  /// memory.
   void add(Feature feature);
 
   /// Completes the set; to be called after the last feature.
   void finish();
 
-  /// Whether the edges of polygons are the lines of what was added so far.
+  /// Whether the lines of the features added so far are the edges of polygons.
   [[nodiscard]] bool takes_polygons() const { return !has_3d_lines_ && !surfaces_.empty(); }
 
  private:

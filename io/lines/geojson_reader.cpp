@@ -91,8 +91,8 @@ class GeoJsonReader {
     return document["type"].get<std::string>();
   }
 
-  /// Reads `crs`, which is of GeoJSON 2008. RFC 7946 dropped it in favour of degrees, which cannot
-  /// be judged.
+  /// Reads `crs`, which belongs to GeoJSON 2008. RFC 7946 dropped it in favour of degrees, which
+  /// cannot be judged.
   void read_crs(const json& document) {
     const auto crs = document.find("crs");
     if (crs == document.end()) {
@@ -190,7 +190,7 @@ class GeoJsonReader {
   std::string path_;
   LineSet set_;
   FeatureCollector features_;
-  json lone_geometry_;  ///< a geometry that the file holds without a feature, as a feature
+  json lone_geometry_;  ///< a geometry that is not in a feature, wrapped in one
   std::int64_t number_ = 0;
   JsonColumns columns_;
 };

@@ -13,7 +13,7 @@
 namespace ridgeline::io {
 namespace {
 
-/// A coordinate as JSON, which has no NaN: read_geojson() takes null back as NaN.
+/// A coordinate as JSON, which has no NaN: read_geojson() reads null as NaN.
 std::string coordinate(double value) {
   return std::isfinite(value) ? fmt::format("{:.4f}", value) : "null";
 }
@@ -61,7 +61,7 @@ std::string properties_text(const Line& line) {
   return text;
 }
 
-/// RFC 7946: a feature that has no place has the geometry null.
+/// RFC 7946: a feature without a location has a null geometry.
 std::string geometry_text(const Segment3& segment) {
   if (!all_finite(segment)) return "null";
   return fmt::format("{{\"type\":\"LineString\",\"coordinates\":[{},{}]}}", position(segment.start),
@@ -73,8 +73,8 @@ std::string feature_text(const Line& line) {
                      properties_text(line), geometry_text(line.segment_in_world));
 }
 
-/// The name of a CRS: "urn:ogc:def:crs:EPSG::25832" if all parts are EPSG's, else the definition as
-/// it is.
+/// The name of a CRS: "urn:ogc:def:crs:EPSG::25832" if all parts have EPSG codes, otherwise the
+/// definition as it is.
 std::string crs_name(const Crs& crs) {
   const std::optional<OGRSpatialReference> reference = spatial_reference(crs);
   if (!reference) return crs.definition;
@@ -93,8 +93,8 @@ std::string crs_name(const Crs& crs) {
   return fmt::format("urn:ogc:def:crs,crs:EPSG::{},crs:EPSG::{}", *horizontal, *vertical);
 }
 
-/// The CRS, or the undefined plane for an unknown one. GDAL, and so QGIS, takes a file without
-/// `crs`, or with null, for degrees of WGS 84.
+/// The CRS, or the undefined plane for an unknown one. GDAL, and so QGIS, assumes WGS 84 degrees
+/// for a file without `crs` or with null.
 Crs stated(const Crs& crs) {
   if (crs.known()) return crs;
   char* text = nullptr;

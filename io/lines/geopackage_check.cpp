@@ -27,7 +27,8 @@ struct StatementCloser {
 using Database = std::unique_ptr<sqlite3, DatabaseCloser>;
 using Statement = std::unique_ptr<sqlite3_stmt, StatementCloser>;
 
-/// Ends a query after the steps of some seconds, as pages of a damaged file may lead to each other.
+/// Ends a query after the steps of some seconds, because pages of a damaged file may refer to each
+/// other.
 void limit_steps(sqlite3* database) {
   constexpr int kSteps = 50'000'000;
   sqlite3_progress_handler(
@@ -90,7 +91,7 @@ std::string quoted(const std::string& name) {
   return text + "\"";
 }
 
-/// Says what computes the rows of a layer when they are read; empty for a plain table.
+/// Describes what computes the rows of a layer when they are read; empty for a plain table.
 std::string computed_by(sqlite3* database, const SchemaEntry& entry) {
   if (entry.is_view) return "is a view, whose query may never finish";
   if (entry.is_virtual) return "is a virtual table";
@@ -114,8 +115,8 @@ std::vector<std::string> columns_of_table(sqlite3* database, const std::string& 
   return columns;
 }
 
-/// Throws IoError for a binary value that is larger than the file. SQLite answers length() from the
-/// row's head, without reading the value.
+/// Throws IoError for a binary value that is larger than the file. SQLite evaluates length() from
+/// the row header, without reading the value.
 void require_small_values(sqlite3* database,
                           const std::string& path,
                           const std::string& table,

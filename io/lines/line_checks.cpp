@@ -20,7 +20,7 @@ bool within_degrees(const Eigen::Vector3d& x) {
   return std::abs(x.x()) <= 180.0 && std::abs(x.y()) <= 90.0;
 }
 
-/// Whether the coordinates are degrees by their size. Without lines nothing speaks for degrees.
+/// Whether the magnitude of the coordinates shows that they are degrees; false without lines.
 bool looks_like_degrees(const LineSet& set) {
   constexpr double kMaxRoofLengthDeg = 0.01;
   std::vector<double> lengths;
@@ -46,8 +46,8 @@ const LeftOutKind& kind_of_placeless(const Segment3& s) {
   return has_plan && has_nan(s) ? kinds::kFlatLine : kinds::kNonFiniteLine;
 }
 
-/// Whether our own tool gave the line no place and says so by its status. In other files the column
-/// may mean anything.
+/// Whether our own tool left the line without a position, as its status states. In other files the
+/// column may mean anything.
 bool is_left_out(const Line& line) {
   constexpr std::array<std::string_view, 8> kReasons{
       "not_reconstructed", "horizontal",      "no_points",       "rank_deficient",

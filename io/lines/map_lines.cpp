@@ -13,7 +13,7 @@
 namespace ridgeline::io {
 namespace {
 
-/// The columns of a layer that a MapLine is read from; -1 of one that it does not have.
+/// The columns of a layer that a MapLine is read from; -1 for one that it does not have.
 class MapColumns {
  public:
   explicit MapColumns(OGRFeatureDefn& layer)
@@ -25,7 +25,7 @@ class MapColumns {
         mean_(layer.GetFieldIndex("mean_distance_m")),
         max_(layer.GetFieldIndex("max_distance_m")),
         images_(layer.GetFieldIndex("n_images")),
-        // in a file of lines it says how a line was constructed
+        // in a file of lines, the status states how a line was constructed
         status_(mean_ >= 0 ? layer.GetFieldIndex("status") : -1) {}
 
   [[nodiscard]] MapLine line_of(OGRFeature& feature) const {

@@ -29,7 +29,7 @@ void append_distinct_edges(const Vertices& vertices,
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Eigen::Vector3d& start = vertices[polygon[i]];
       const Eigen::Vector3d& end = vertices[polygon[(i + 1) % polygon.size()]];
-      // A NaN has no place in an order: such an edge is kept, whatever came before.
+      // NaN cannot be ordered, so an edge with NaN is always kept.
       const bool finite = start.allFinite() && end.allFinite();
       if (finite && start == end) continue;
       std::pair edge(coordinates_of(start), coordinates_of(end));
@@ -50,7 +50,7 @@ BuildingModel model_of(const PolygonMesh& mesh) {
   return model;
 }
 
-/// Names of what hangs together, for each face.
+/// The name of the connected part of each face.
 std::vector<std::string> connected_parts(const std::vector<Face>& faces) {
   DisjointSets parts(faces.size());
   for (const FaceSeam& seam : seams_of(faces))
@@ -64,7 +64,7 @@ std::vector<std::string> connected_parts(const std::vector<Face>& faces) {
   return names;
 }
 
-/// Gives each face its building.
+/// Assigns each face to its building.
 void divide(const std::vector<std::string>& names, BuildingModel& model) {
   std::map<std::string, std::size_t> numbers;
   for (std::size_t i = 0; i < model.faces.size(); ++i) {

@@ -10,22 +10,22 @@
 
 namespace ridgeline::io {
 
-/// Indices from 0 of the vertices of a polygon or a polyline.
+/// Indices, from 0, of the vertices of a polygon or a polyline.
 using IndexList = std::vector<std::size_t>;
 
 /// A mesh of closed polygons.
 struct PolygonMesh {
   Vertices vertices;
   std::vector<IndexList> polygons;
-  std::vector<std::string> objects;  ///< for each polygon the name of its thing; empty without
+  std::vector<std::string> objects;  ///< object name of each polygon; empty without objects
 };
 
-/// Adds the edges of a mesh. If it has walls, faces steeper than 80 degrees, it is a model of
-/// buildings, whose roofs give the lines (lines_of_model()): its objects are the buildings, or
-/// without objects what hangs together, "1", "2", ... Of any other mesh each distinct edge is added
-/// once, in the order of first occurrence. Edges are the same if their end points have equal
+/// Adds the edges of a mesh. If it has walls (faces steeper than 80 degrees), it is a building
+/// model, whose lines are the edges of its roofs (lines_of_model()): its objects are the buildings,
+/// or, without objects, its connected parts, "1", "2", ... For any other mesh, each distinct edge
+/// is added once, in order of first occurrence. Edges are the same if their end points have equal
 /// coordinates, in either direction: many models repeat the vertices for each face. Edges of zero
-/// length are left out, they bound nothing.
+/// length are left out because they bound nothing.
 void append_mesh(const PolygonMesh& mesh, LineSet& set);
 
 }  // namespace ridgeline::io

@@ -6,10 +6,10 @@
 
 namespace ridgeline::io {
 
-/// The edges of the roofs of a model, building by building, as edges_of_roofs() gives them. The
-/// model is brought into order first, see settle(). `plane_ids` of a line are the numbers of its
-/// roof faces in LineSet::model, `building` is the id of the building, and LineSet::features has a
-/// row for each building. Edges of three roof faces and more are counted in `left_out`.
+/// The edges of the roofs of a model, building by building, as returned by edges_of_roofs(). The
+/// model is normalised first, see settle(). `plane_ids` of a line are the numbers of its roof faces
+/// in LineSet::model, `building` is the id of the building, and LineSet::features has a row for
+/// each building. Edges of three or more roof faces are counted in `left_out`.
 LineSet lines_of_model(BuildingModel model);
 
 }  // namespace ridgeline::io

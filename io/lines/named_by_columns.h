@@ -7,11 +7,11 @@
 
 namespace ridgeline::io {
 
-/// Takes ids and buildings of the lines from columns that the user names, upper and lower case
-/// being the same; an empty name changes nothing. A feature of several lines gives them "ID.0",
-/// "ID.1", ...; a line without a value keeps what it has. Of a model, the second column names its
-/// buildings. Throws IoError for a column that the file does not have, for the id of the lines of a
-/// model, and for buildings of CityJSON and CityGML, which state their ids.
+/// Takes the ids and buildings of the lines from columns named by the user, ignoring case; an empty
+/// name changes nothing. Several lines of one feature become "ID.0", "ID.1", ...; a line without a
+/// value keeps its own. For a model, the second column names its buildings. Throws IoError for a
+/// column that the file does not have, for an id column with a model, and for a building column
+/// with CityJSON and CityGML, which state their own ids.
 void name_by_columns(const std::string& id_column,
                      const std::string& building_column,
                      LineSet& set);

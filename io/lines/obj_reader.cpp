@@ -22,7 +22,7 @@ struct ObjFile {
   Vertices vertices;
   std::vector<Record> lines;
   std::vector<Record> faces;
-  std::vector<std::string> objects;  ///< of each face: the name of the last `o` or `g` record
+  std::vector<std::string> objects;  ///< for each face: the name of the last `o` or `g` record
 };
 
 /// A row together with the rows that continue it. A row that ends in a backslash continues on the
@@ -96,7 +96,7 @@ ObjFile parse_obj(const std::string& path, std::string_view content, const LineS
   return obj;
 }
 
-/// The records as lists of indices from 0. Throws IoError for an index that no vertex has.
+/// The records as lists of indices from 0. Throws IoError for an index without a vertex.
 std::vector<IndexList> resolved(const std::vector<Record>& records,
                                 std::size_t n_vertices,
                                 const std::string& path) {
@@ -115,8 +115,8 @@ std::vector<IndexList> resolved(const std::vector<Record>& records,
   return lists;
 }
 
-/// Whether the file is ELSR's, which writes each segment as two vertices of its own, then records
-/// "l k k+1", "l k+2 k+3", ... that do not begin at 1.
+/// Whether the file is from ELSR, which writes each segment as two vertices of its own, then
+/// records "l k k+1", "l k+2 k+3", ... that do not begin at 1.
 bool has_shifted_pairs(const ObjFile& obj) {
   if (!obj.faces.empty() || obj.lines.empty() || obj.vertices.size() % 2 != 0) return false;
   const auto is_pair = [](const Record& record) {
@@ -129,7 +129,7 @@ bool has_shifted_pairs(const ObjFile& obj) {
   return obj.lines.front().indices[0] != 1;
 }
 
-/// Whether the `l` records repeat the faces. Each of TopoLAP's names the vertices of a face,
+/// Whether the `l` records repeat the faces. Each record of TopoLAP lists the vertices of a face,
 /// without the closing edge.
 bool lines_repeat_faces(const ObjFile& obj) {
   return obj.lines.size() == obj.faces.size() &&
@@ -156,8 +156,8 @@ double median_length(const std::vector<Line>& lines) {
   return lengths.empty() ? 0.0 : upper_median(std::move(lengths));
 }
 
-/// Drops segments that are not finite or far too long: ELSR leaves the failures of its
-/// triangulation in the file.
+/// Drops segments that are not finite or far too long: ELSR leaves failed triangulations in the
+/// file.
 void drop_failed_segments(LineSet& set) {
   constexpr double kHugeRatio = 1000.0;  // far above any roof edge, in whatever unit
   const double limit = kHugeRatio * median_length(set.lines);

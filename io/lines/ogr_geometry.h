@@ -7,8 +7,8 @@
 
 namespace ridgeline::io {
 
-/// Adds what a geometry holds, however deep in collections; arcs are stroked. A vertex without z
-/// has z = NaN.
+/// Adds the contents of a geometry, including nested collections; arcs become line strings. A
+/// vertex without z has z = NaN.
 void collect_geometry(const OGRGeometry& geometry, FeatureGeometry& found);
 
 }  // namespace ridgeline::io

@@ -114,11 +114,11 @@ nlohmann::json properties_of(OGRFeature& feature) {
   return properties;
 }
 
-/// The reference system of the layers that give lines.
+/// The reference system of the layers that provide lines.
 class LayersCrs {
  public:
-  /// Takes the system of one more layer. Throws IoError naming both layers if an earlier one states
-  /// another system.
+  /// Adds the system of another layer. Throws IoError naming both layers if an earlier one states a
+  /// different system.
   void take(const std::string& path, const std::string& layer, const Crs& crs) {
     if (!crs.known()) return;
     if (crs_.known() && crs.definition != crs_.definition) {
@@ -147,12 +147,13 @@ class OgrReader {
     if (is_geopackage) unread_ = unread_layers(path);
     if (std::string_view(driver.name) == "DXF") dxf_ = dxf_header(read_input(path));
     const char* const drivers[] = {driver.name, nullptr};
-    // Tables that are no layers are not opened, as they may be views, whatever these compute.
+    // Tables that are not layers are not opened, because they may be views, which can compute
+    // anything.
     const char* const stated_layers[] = {"LIST_ALL_TABLES=NO", nullptr};
     const unsigned int flags = GDAL_OF_VECTOR | GDAL_OF_READONLY;
     dataset_.reset(
         GDALDataset::Open(path.c_str(), flags, drivers, is_geopackage ? stated_layers : nullptr));
-    n_most_features_ = std::filesystem::file_size(path);  // each takes a byte at least
+    n_most_features_ = std::filesystem::file_size(path);  // each takes at least one byte
     if (!dataset_) {
       throw IoError(path,
                     fmt::format("is not a {}: {}", driver.format,
@@ -172,15 +173,15 @@ class OgrReader {
   }
 
  private:
-  /// Whether a layer must not be touched.
+  /// Whether a layer must not be read.
   [[nodiscard]] bool is_unread(OGRLayer& layer) const {
     const std::string name = lower_case(layer.GetName());
     return std::ranges::any_of(
         unread_, [&](const UnreadLayer& unread) { return lower_case(unread.name) == name; });
   }
 
-  /// The layers with geometries. Of several the one called `lines` alone is taken, as in our own
-  /// maps, or of those of 3DBAG the one of the level of detail that is wanted.
+  /// The layers with geometries. If there are several, only the one called `lines` is taken, as in
+  /// our own maps, or, for 3DBAG, the one with the requested level of detail.
   std::vector<OGRLayer*> feature_layers() {
     std::vector<OGRLayer*> layers;
     for (OGRLayer* layer : dataset_->GetLayers()) {
@@ -207,7 +208,7 @@ class OgrReader {
 
   static std::string name_of(OGRLayer* layer) { return layer->GetName(); }
 
-  /// "2.2" of lod22_3d; empty for a layer of another name.
+  /// "2.2" for lod22_3d; empty for other layer names.
   static std::string lod_of(const std::string& layer) {
     static const std::regex pattern("lod([0-9])([0-9]?)_3d");
     std::smatch match;
@@ -239,7 +240,7 @@ class OgrReader {
     set_.left_out.add(kinds::kTableRow, n_rows_);
   }
 
-  /// Adds the columns of a layer to the set's table and returns their numbers there.
+  /// Adds the columns of a layer to the set's table and returns their indices there.
   std::vector<std::size_t> add_columns(OGRFeatureDefn& layer) {
     std::vector<Column>& columns = set_.features.columns;
     std::vector<std::size_t> numbers;
@@ -275,8 +276,8 @@ class OgrReader {
     if (CPLGetLastErrorType() == CE_Failure) throw IoError(path_, quiet_.complaints("is damaged"));
   }
 
-  /// Throws IoError for too many features, as records of a damaged file may lead to each other
-  /// without end.
+  /// Throws IoError for too many features, because records of a damaged file may refer to each
+  /// other endlessly.
   void count_feature() {
     if (++number_ <= n_most_features_) return;
     throw IoError(path_, fmt::format("yields more than {} features, more than its size can hold",
@@ -318,9 +319,9 @@ class OgrReader {
   std::size_t n_rows_ = 0;  ///< rows of tables without geometry
   DxfHeader dxf_;
   LayersCrs lines_crs_, surfaces_crs_;
-  /// For each column of the layer that is read, its number in the set's table.
+  /// For each column of the layer being read, its index in the set's table.
   std::vector<std::size_t> columns_;
-  /// Whether ids begin with the name of the layer, as feature ids start anew in each layer.
+  /// Whether ids begin with the name of the layer, because feature ids start anew in each layer.
   bool ids_name_layer_ = false;
   std::size_t number_ = 0;
   std::size_t n_most_features_ = 0;

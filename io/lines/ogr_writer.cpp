@@ -16,7 +16,7 @@ namespace {
 
 struct OgrTarget {
   const char* driver;
-  const char* angle_field;  ///< a Shapefile's columns have ten characters
+  const char* angle_field;  ///< a Shapefile's column names have ten characters
   bool has_attributes;
   bool has_long_text;
 };
@@ -32,13 +32,14 @@ class OgrWriter : public LineWriter {
   OgrWriter(const std::string& path, const Crs& crs, LineFormat format)
       : path_(path), target_(target_of(format)), scratch_(path) {
     require([&] { return create_dataset() && create_layer_in(crs) && create_fields(); });
-    // All lines are one transaction, as a GeoPackage would otherwise sync the disk for each line.
+    // All lines form one transaction, because a GeoPackage would otherwise sync the disk for each
+    // line.
     dataset_->StartTransaction();
   }
   OgrWriter(const OgrWriter&) = delete;
   OgrWriter& operator=(const OgrWriter&) = delete;
   ~OgrWriter() override {
-    const QuietGdal quiet;  // of a file that is given up
+    const QuietGdal quiet;  // for a file that is abandoned
     dataset_.reset();
   }
 
@@ -56,7 +57,7 @@ class OgrWriter : public LineWriter {
   }
 
  private:
-  /// Throws IoError with what GDAL complains of if the step fails.
+  /// Throws IoError with GDAL's message if the step fails.
   template <typename Step>
   void require(const Step& step) {
     const FixedDate fixed_date;
@@ -137,7 +138,7 @@ class OgrWriter : public LineWriter {
     if (target_.has_long_text) set_wide_attributes(line, feature);
   }
 
-  /// Sets what does not fit into a Shapefile's columns, by the width of the value or of the name.
+  /// Sets the attributes whose value or name is too wide for a Shapefile column.
   static void set_wide_attributes(const Line& line, OGRFeature& feature) {
     for (const NumberAttribute& attribute : number_attributes()) {
       const std::optional<double>& value = line.*attribute.member;

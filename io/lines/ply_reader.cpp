@@ -22,7 +22,7 @@ namespace {
 PlyHeader header_of(const std::string& path, std::string_view content) {
   PlyHeader header = read_ply_header(std::as_bytes(std::span(content)), path);
   for (const PlyElement& element : header.elements) {
-    // rows of no bytes would never end
+    // rows without bytes would never end
     if (element.properties.empty()) throw IoError(path, element.name + " has no properties");
   }
   return header;
@@ -41,7 +41,7 @@ bool is_index_type(ScalarType type) {
   return type != ScalarType::kFloat32 && type != ScalarType::kFloat64 && size_of(type) > 1;
 }
 
-/// Which properties of the elements hold what lines are made of.
+/// The properties of the elements from which lines are made.
 struct PlyColumns {
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::array<std::size_t, 3> xyz{kNone, kNone, kNone};
@@ -56,7 +56,7 @@ std::size_t property_named(const PlyElement& element, std::string_view name) {
              : static_cast<std::size_t>(found - element.properties.begin());
 }
 
-/// The list of a face or an edge by its names, else the only list of indices that there is.
+/// The list of a face or an edge by its usual names, otherwise the only list of indices.
 std::size_t index_list(const PlyElement& element) {
   for (const char* const name : {"vertex_indices", "vertex_index"}) {
     const std::size_t list = property_named(element, name);
@@ -72,8 +72,7 @@ std::size_t index_list(const PlyElement& element) {
   return found;
 }
 
-/// The ends of an edge: vertex1 and vertex2, else the only two indices that it has, whatever their
-/// names.
+/// The ends of an edge: vertex1 and vertex2, otherwise its only two indices, whatever their names.
 std::array<std::size_t, 2> edge_ends(const PlyElement& element) {
   const std::array named{property_named(element, "vertex1"), property_named(element, "vertex2")};
   if (named[0] != PlyColumns::kNone && named[1] != PlyColumns::kNone) return named;
@@ -112,7 +111,7 @@ PlyColumns ply_columns(const std::string& path, const PlyHeader& header) {
   return columns;
 }
 
-/// The numbers of the body one after another, whatever their encoding.
+/// Reads the numbers of the body one after another, whatever their encoding.
 class Body {
  public:
   Body(const std::string& path, std::string_view bytes, PlyEncoding encoding)
@@ -209,7 +208,7 @@ class PlyReader {
     return list;
   }
 
-  /// A value that is no index becomes one that no file has, for check_indices() to name.
+  /// A value that is not an index becomes one that no file has, which check_indices() reports.
   static std::size_t index_of(double value) {
     const bool is_index = value >= 0.0 && value < 4294967296.0 && std::floor(value) == value;
     return is_index ? static_cast<std::size_t>(value) : static_cast<std::size_t>(-1);
@@ -231,8 +230,8 @@ class PlyReader {
   PlyHeader header_;
   PlyColumns columns_;
   Body body_;
-  std::vector<double> values_;    ///< scalars of the item that is read
-  std::vector<IndexList> lists_;  ///< lists of the item that is read
+  std::vector<double> values_;    ///< scalars of the current item
+  std::vector<IndexList> lists_;  ///< lists of the current item
   Vertices vertices_;
   std::vector<IndexList> edges_;
   std::vector<IndexList> faces_;

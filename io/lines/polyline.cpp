@@ -11,7 +11,7 @@
 namespace ridgeline::io {
 namespace {
 
-/// The segments between the bends of the parts; counts the vertices that are no bends.
+/// The segments between the bends of the parts; counts the vertices that are not bends.
 std::vector<Segment3> segments_of(const std::vector<Vertices>& parts, std::size_t& n_straight) {
   std::vector<Segment3> segments;
   for (const Vertices& part : parts) {
@@ -76,8 +76,8 @@ LineSet lines_for_file(const std::string& path, const std::string& format, std::
   set.path = path;
   set.format = format;
   set.memory_left_bytes = std::max(kMinMemory_bytes, kMaxGrowth * n_bytes);
-  // Memory is reserved at once, as growth would hold the lines twice. Pages that stay unused cost
-  // no memory.
+  // Memory is reserved at once, because growth would hold the lines twice. Pages that stay unused
+  // cost no memory.
   constexpr std::size_t kMaxReserved_bytes = 512U << 20U;
   set.lines.reserve(std::min(set.memory_left_bytes, kMaxReserved_bytes) / sizeof(Line));
   return set;

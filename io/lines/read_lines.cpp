@@ -44,7 +44,7 @@ void require_known_name(const std::string& path, const std::string& extension) {
 
 bool is_comment(std::string_view row) { return row.starts_with('#') || row.starts_with("//"); }
 
-/// The text formats share extensions, so the first rows tell them apart.
+/// The text formats share extensions, so the first rows distinguish them.
 LineSet read_text(const std::string& path, const std::string& content) {
   const std::vector<TextRow> rows = rows_of(std::string_view(content).substr(0, 65536));
   if (rows.empty()) throw IoError(path, "is empty, which may mean no lines or a failure");
@@ -64,7 +64,7 @@ LineSet read_text(const std::string& path, const std::string& content) {
   return read_csv(path, content);
 }
 
-/// Reads a text file of lines. Text that is no UTF-8 is taken as Latin-1.
+/// Reads a text file of lines. Text that is not UTF-8 is read as Latin-1.
 LineSet read_text_file(const std::string& path,
                        const std::string& extension,
                        const ReadLinesOptions& options) {
@@ -103,8 +103,8 @@ LineSet read_any(const std::string& path, const ReadLinesOptions& options) {
   refuse_by_extension(path, extension);
 }
 
-/// Throws IoError for a reference system that PROJ cannot read, as that is the file's fault and not
-/// the caller's.
+/// Throws IoError for a reference system that PROJ cannot read, because the fault lies with the
+/// file and not with the caller.
 void check_stated_crs(const LineSet& set) {
   try {
     (void)describe(set.crs);

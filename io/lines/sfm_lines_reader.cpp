@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Line3D++, LIMAP and ELSR++ text results. None of them states a CRS, a header or a version.
+// Line3D++, LIMAP and ELSR++ text results. None of them has a header or states a CRS or a version.
 #include "io/error.h"
 #include "io/files/input_file.h"
 #include "io/kinds/folder_kind.h"
@@ -87,15 +87,15 @@ int count_distinct(const std::vector<std::string_view>& words) {
   return static_cast<int>(std::set<std::string_view>(words.begin(), words.end()).size());
 }
 
-/// The number K of track_K.txt; nothing for another name.
+/// The number K of track_K.txt; std::nullopt for other names.
 std::optional<long> track_number(const std::filesystem::path& path) {
   const std::string stem = path.stem().string();
   if (path.extension() != ".txt" || !stem.starts_with("track_")) return std::nullopt;
   return to_integer(std::string_view(stem).substr(6));
 }
 
-/// The number of cameras of each line, from cams.txt beside ELSR++'s spaceLines.txt; empty if that
-/// file is not there.
+/// The number of cameras of each line, from cams.txt next to ELSR++'s spaceLines.txt; empty if that
+/// file does not exist.
 std::vector<int> images_per_line(const std::filesystem::path& space_lines) {
   const std::filesystem::path cameras = space_lines.parent_path() / "cams.txt";
   if (!std::filesystem::exists(cameras)) return {};

@@ -9,7 +9,7 @@ namespace ridgeline::io {
 namespace {
 
 /// Squared distance to the segment, not to its infinite line, so that a polyline that turns back on
-/// itself bends.
+/// itself has a bend there.
 double squared_distance(const Eigen::Vector3d& x,
                         const Eigen::Vector3d& start,
                         const Eigen::Vector3d& end) {
@@ -20,9 +20,9 @@ double squared_distance(const Eigen::Vector3d& x,
   return (x - start - t * along).squaredNorm();
 }
 
-/// Marks the bends between the vertices `first` and `last`, which are bends. Vertices made so that
-/// every range splits at its end would take forever. So after far more work than any drawn line
-/// takes, all other vertices count as bends.
+/// Marks the bends between the vertices `first` and `last`, which are themselves bends. Vertices
+/// arranged so that every range splits at its end would take forever. So after far more work than
+/// any drawn line takes, all other vertices are treated as bends.
 void mark_bends(const Vertices& vertices,
                 std::size_t first,
                 std::size_t last,
@@ -67,8 +67,8 @@ bool is_closed(const Vertices& vertices) {
   return vertices.size() > 3 && vertices.front() == vertices.back();
 }
 
-/// The bends of a closed ring. The vertex farthest from any other is a corner of the ring's hull,
-/// so the ring bends there.
+/// The bends of a closed ring. The vertex farthest from any given vertex is a corner of the ring's
+/// convex hull, so the ring bends there.
 Vertices bends_of_ring(const Vertices& closed) {
   const Vertices ring(closed.begin(), closed.end() - 1);
   const std::size_t corner = farthest_from(ring, ring.front());

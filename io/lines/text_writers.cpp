@@ -11,7 +11,7 @@
 namespace ridgeline::io {
 namespace {
 
-/// A field by RFC 4180, with quotes around it if it holds a separator, a quote or a line end.
+/// A field according to RFC 4180, quoted if it contains a separator, a quote or a line end.
 std::string field(std::string_view text) {
   if (text.find_first_of(",;\t\"\r\n") == std::string_view::npos) return std::string(text);
   std::string quoted = "\"";
@@ -70,7 +70,7 @@ std::string wkt(const Segment3& s) {
                      coordinates(s.end, ' '));
 }
 
-/// What a mesh file has no place for, as comments of one line each.
+/// What a mesh file cannot otherwise state, as comments of one line each.
 std::vector<std::string> facts(const LineSet& set, const Eigen::Vector3d& origin) {
   std::vector<std::string> facts;
   if (set.crs.known()) {

@@ -40,7 +40,7 @@ bool is_numbered_part(const Line& line) {
   return line.id == fmt::format("{}.{}", line.parent_id, line.part);
 }
 
-/// An id that no line has: `id` with a number behind it.
+/// An id that no line has: `id` followed by a number.
 std::string numbered(const std::string& id,
                      const std::unordered_set<std::string>& known,
                      int& last_number) {

@@ -5,11 +5,11 @@
 
 namespace ridgeline::io {
 
-/// Gives each line an id of its own, as the judge, tables and maps know lines by their ids. If
-/// several layers have the same id, all lines are named by their layer, "ridges.12". If an earlier
-/// line has the same id, the later one is numbered as the parts of a polyline are, "12.1", never by
-/// a number that another line has. If the id of a part equals an id that the file states, the part
-/// gets another number. A warning says so. A set whose ids differ stays as it is.
+/// Gives each line a unique id, because the judge, tables and maps identify lines by id. If several
+/// layers have the same id, all ids are prefixed with their layer, "ridges.12". If an earlier line
+/// has the same id, the later one is numbered like the parts of a polyline, "12.1", with a number
+/// that is not in use. If the id of a part equals an id stated in the file, the part gets another
+/// number. Changes are reported in a warning. A set whose ids are unique stays unchanged.
 void make_ids_unique(LineSet& set);
 
 }  // namespace ridgeline::io

@@ -25,13 +25,13 @@ constexpr std::array kFormats{LineFormatInfo{LineFormat::kGeoJson, "geojson", ".
                               LineFormatInfo{LineFormat::kObj, "obj", ".obj"},
                               LineFormatInfo{LineFormat::kPly, "ply", ".ply"}};
 
-/// Whether the format has a place for a line without geometry.
+/// Whether the format can represent a line without geometry.
 bool holds_lines_of_nowhere(LineFormat format) {
   return format != LineFormat::kCsv && format != LineFormat::kDxf && format != LineFormat::kObj &&
          format != LineFormat::kPly;
 }
 
-/// The lowest corner of the lines, down to whole hundreds.
+/// The minimum corner of the box of the lines, rounded down to whole hundreds.
 Eigen::Vector3d low_corner(const LineSet& set) {
   constexpr double kStep = 100.0;
   Eigen::AlignedBox3d box;
@@ -80,7 +80,7 @@ std::optional<LineFormat> line_format(std::string_view name) {
 std::optional<LineFormat> line_format_of_file(std::string_view file) {
   const std::string name = lower_case(file);
   if (name.ends_with(".json")) return LineFormat::kGeoJson;
-  // .wkt.csv ends in .csv as well, and comes first
+  // .wkt.csv, which also ends in .csv, comes first
   const auto* const it = std::ranges::find_if(
       kFormats, [&](const auto& info) { return name.ends_with(info.extension); });
   if (it == kFormats.end()) return std::nullopt;

@@ -21,7 +21,7 @@ json json_of(const Value& value) {
   return nullptr;
 }
 
-/// Returns whether no object is one of those in `done`.
+/// Returns false if an object that has values is already in `done`.
 bool add_to(json& document,
             const std::vector<Column>& columns,
             const BuildingValues& values,

@@ -11,13 +11,14 @@
 
 namespace ridgeline::io {
 
-/// Attributes by the id of their building.
+/// Attributes by building id.
 using BuildingValues = std::map<std::string, SparseRow>;
 
-/// The text of a CityJSON file, a document or a sequence, with further attributes of its buildings;
-/// all else stays. An attribute of the same name is replaced. `columns` are the names of the
-/// values. Keys come in the order of their names. Nothing if two objects have the id of one
-/// building, as features of a sequence may. Throws IoError as read_cityjson().
+/// The text of a CityJSON file (a document or a sequence) with additional attributes of its
+/// buildings; everything else stays unchanged. An attribute of the same name is replaced. `columns`
+/// are the names of the values. Keys are sorted by name. Returns std::nullopt if two objects have
+/// the id of one building, as is possible in a sequence. Throws IoError under the same conditions
+/// as read_cityjson().
 std::optional<std::string> with_attributes(const std::string& path,
                                            std::string_view content,
                                            const std::vector<Column>& columns,

@@ -17,7 +17,7 @@ namespace ridgeline::io {
 namespace {
 
 /// The median of one coordinate over the first vertices of the faces, which a few stray faces do
-/// not move.
+/// not shift.
 double median_of(const BuildingModel& model, int axis) {
   return upper_median(
       transformed(model.faces, [&](const Face& face) { return double{face.rings[0][0][axis]}; }));
@@ -32,7 +32,7 @@ bool has_north_first(PJ_CONTEXT* context, const PJ* crs) {
   return found && std::string_view(direction) == "north";
 }
 
-/// Tells whether positions (east, north) of a CRS lie where it is used.
+/// Determines whether positions (east, north) lie in the area of use of a CRS.
 class AreaOfUse {
  public:
   AreaOfUse(PJ_CONTEXT* context, const PJ* crs) {

@@ -18,7 +18,7 @@ namespace {
 constexpr LeftOutKind kOpenReference{"reference to a missing surface",
                                      "references to missing surfaces"};
 
-/// The level of detail that is read of a building, as text.
+/// The level of detail in which a building is read, as text.
 std::optional<std::string> lod_of_building(const std::vector<GeometryProperty>& properties,
                                            const ReadModelOptions& options) {
   std::set<std::string> lods;
@@ -69,7 +69,7 @@ class FaceChoice {
     for (std::size_t i = range.end; i > range.first; --i) todo_.push_back({i - 1, is_turned});
   }
 
-  /// Each surface and each reference is taken once, so references in a circle end.
+  /// Each surface and each reference is taken once, so circular references end.
   void visit(std::size_t place, bool is_turned, const GeometryProperty& property) {
     if (std::exchange(is_taken_[place], 1) != 0) return;
     const GmlSurface& surface = surfaces_.surfaces()[place];
@@ -100,8 +100,8 @@ class FaceChoice {
   std::vector<char> is_taken_;
   std::vector<Visit> todo_;
   std::vector<Chosen> chosen_;
-  std::size_t n_outlined_ = 0;                          ///< so many of `chosen_` are in `outlines_`
-  std::set<std::pair<std::size_t, Outline>> outlines_;  ///< with the part that they are of
+  std::size_t n_outlined_ = 0;                          ///< number of `chosen_` in `outlines_`
+  std::set<std::pair<std::size_t, Outline>> outlines_;  ///< with the part that they belong to
 };
 
 std::size_t num_vertices(const Face& face) {
@@ -158,7 +158,7 @@ void resolve(const std::vector<OpenReference>& open, BuildingModel& model) {
     }
     Face face = model.faces[found->second];
     const std::size_t n_vertices = num_vertices(face);
-    // a face is shared by two buildings, so copies have fewer vertices than the file
+    // at most two buildings share a face, so copies have no more vertices than the file
     if (n_vertices > n_vertices_left) {
       throw IoError(model.path, "its buildings refer to the faces of others over and over");
     }

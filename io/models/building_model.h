@@ -14,26 +14,25 @@ namespace ridgeline::io {
 /// A building with all of its parts.
 struct Building {
   std::string id;
-  std::string lod;  ///< of its faces, as the file says: "2.2", "2"; empty if it does not
+  std::string lod;  ///< level of detail of its faces in the file: "2.2", "2"; empty if not stated
 };
 
-/// The buildings of a file by their faces.
+/// The buildings of a file, represented by their faces.
 struct BuildingModel {
   std::string path;
   std::string format;  ///< "CityJSON 1.1", "CityGML 2.0", ...
   Crs crs;
-  std::vector<Building> buildings;  ///< in the order of the file; those without faces stay
-  /// In the order of the file and in its coordinates; Face::building is an index of `buildings`.
+  std::vector<Building> buildings;  ///< in the order of the file, including those without faces
+  /// In the order of the file and in its coordinates; Face::building is an index into `buildings`.
   std::vector<Face> faces;
-  AttributeTable
-      attributes;       ///< what the file states of its buildings; row i is that of buildings[i]
-  KindCounts left_out;  ///< what the file holds beside faces of buildings, and faces that are none
+  AttributeTable attributes;  ///< attributes of the buildings; row i belongs to buildings[i]
+  KindCounts left_out;  ///< contents of the file other than faces of buildings, and unusable faces
   std::vector<std::string> warnings;
 };
 
 struct ReadModelOptions {
-  /// The level of detail that is read: "2.2", or "2" for the highest one of 2.x. If empty, each
-  /// building has the highest one that it is given in, up to 3.x.
+  /// The level of detail to read: "2.2", or "2" for the highest one of 2.x. If empty, each building
+  /// is read in its highest one, up to 3.x.
   std::string lod;
 };
 

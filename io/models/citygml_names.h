@@ -10,10 +10,10 @@
 #include <string>
 #include <string_view>
 
-/// What the names of elements mean in CityGML 1.0 to 3.0.
+/// The meaning of element names in CityGML 1.0 to 3.0.
 namespace ridgeline::io::citygml {
 
-/// Which kind of property of a building, a part, an installation or a surface an element is.
+/// The kind of property (of a building, part, installation or surface) that an element is.
 enum class Property : std::uint8_t {
   kGeometry,      ///< lod2Solid, lod0FootPrint, ...
   kImplicit,      ///< lod2ImplicitRepresentation
@@ -27,23 +27,23 @@ enum class Property : std::uint8_t {
   kAddress,
   kAttributes,  ///< genericAttribute, genericAttributeSet: holds generic attributes
   kAttribute,   ///< stringAttribute, gen:IntAttribute, ...
-  kSimple,      ///< of CityGML or GML itself, as measuredHeight
+  kSimple,      ///< of CityGML or GML itself, such as measuredHeight
   kForeign,     ///< of another schema
 };
 
 Property property_of(const XmlName& name);
 
-/// The level of detail that a name states: 2 for "lod2Solid".
+/// The level of detail stated in a name: 2 for "lod2Solid".
 std::optional<int> lod_of(std::string_view local);
 
-/// What a geometry of a building is by its property: the ground for a footprint.
+/// The kind of a building's geometry according to its property: ground for a footprint.
 FaceKind kind_of_geometry(std::string_view local);
 
-/// What a thematic surface is: kRoof for "RoofSurface", kOther for those that are neither roof nor
+/// The kind of a thematic surface: kRoof for "RoofSurface", kOther for those that are neither roof,
 /// wall nor ground.
 FaceKind kind_of_surface(std::string_view local);
 
-/// The type of what a generic attribute holds: "intAttribute" and "IntAttribute" are integers.
+/// The type of the value of a generic attribute: "intAttribute" and "IntAttribute" are integers.
 ColumnType type_of_attribute(std::string_view local);
 
 bool is_building(const XmlName& name);

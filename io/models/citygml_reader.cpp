@@ -26,15 +26,14 @@ constexpr LeftOutKind kImplicitGeometry{"implicit geometry", "implicit geometrie
 constexpr LeftOutKind kCurveOfBuilding{"building curve", "building curves"};
 constexpr LeftOutKind kAddressPoint{"address point", "address points"};
 
-/// What an element is to the reader. The role of an element follows from its name and the role of
-/// its parent.
+/// The role of an element for the reader, which follows from its name and the role of its parent.
 enum class ElementRole : std::uint8_t {
   kDocument,
   kModel,
-  kMembers,    ///< holds top objects
+  kMembers,    ///< contains top-level objects
   kBuilding,   ///< also a part or an installation
   kSurface,    ///< RoofSurface, Window, ...
-  kToSurface,  ///< a property that holds a surface; the others alike
+  kToSurface,  ///< a property that contains a surface; the others likewise
   kToOpening,
   kToPart,
   kToInstallation,
@@ -45,7 +44,7 @@ enum class ElementRole : std::uint8_t {
   kAttributes,
   kAttribute,
   kAttributeName,
-  kWord,  ///< holds text: a simple attribute, or the value of a generic one
+  kWord,  ///< contains text: a simple attribute, or the value of a generic one
   kSkipped,
 };
 
@@ -61,7 +60,7 @@ struct Element {
   std::size_t part = 0;
 };
 
-/// A generic attribute that is read.
+/// The generic attribute being read.
 struct ReadAttribute {
   std::string name, word;
 };
@@ -161,7 +160,7 @@ class CityGmlReader {
 
   ElementRole begin_document(const XmlName& name) {
     const std::string_view version = citygml::version_of(name.space);
-    const bool is_answer = name.local == "FeatureCollection";  // of a WFS
+    const bool is_answer = name.local == "FeatureCollection";  // from a WFS
     if (!is_answer && (name.local != "CityModel" || version.empty())) {
       throw IoError(stream_.place(), fmt::format("is not CityGML: its root is <{}> of \"{}\"",
                                                  name.local, name.space));
@@ -356,7 +355,8 @@ class CityGmlReader {
     if (srs_names_.size() < kMaxNames) srs_names_.emplace_back(name);
   }
 
-  /// All names have to mean one CRS; that of the first name counts, or of the first with heights.
+  /// All names must refer to one CRS; that of the first name is used, or that of the first with
+  /// heights.
   void settle_crs() {
     bool keeps_axis_order = false;
     for (const std::string& name : srs_names_) {
@@ -381,9 +381,9 @@ class CityGmlReader {
   ReadModelOptions options_;
   BuildingModel model_;
   XmlStream stream_;
-  GmlSurfaces surfaces_;  ///< of the building that is read
+  GmlSurfaces surfaces_;  ///< of the building being read
   BuildingAttributes attributes_;
-  std::vector<Element> elements_;  ///< from the document to the element that is read
+  std::vector<Element> elements_;  ///< from the document to the element being read
   std::vector<GeometryProperty> properties_;
   std::vector<OpenReference> open_;
   std::vector<std::string> srs_names_;

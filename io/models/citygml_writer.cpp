@@ -22,7 +22,7 @@ constexpr const char* kHead =
     "xmlns:gen=\"http://www.opengis.net/citygml/generics/2.0\" "
     "xmlns:gml=\"http://www.opengis.net/gml\">\n";
 
-/// A text for XML, which has no control characters but the blank ones.
+/// Text for XML, which allows no control characters except whitespace.
 std::string xml_text(std::string_view text) {
   std::string result;
   for (const char c : as_utf8(text)) {
@@ -44,7 +44,7 @@ std::string xml_text(std::string_view text) {
   return result;
 }
 
-/// An id as XML takes it: it begins with a letter or "_" and has no blanks or colons.
+/// An id that is valid in XML: it begins with a letter or "_" and has no blanks or colons.
 std::string xml_id(const std::string& id) {
   const auto is_letter = [](char c) {
     return c == '_' || std::isalpha(static_cast<unsigned char>(c)) != 0;
@@ -60,7 +60,7 @@ std::string xml_id(const std::string& id) {
   return made;
 }
 
-/// Coordinates as thousandths with a point, which no rounding of the text can change.
+/// A coordinate written from its whole thousandths, so that formatting cannot round it again.
 std::string thousandths_text(double coordinate) {
   const long long n = in_thousandths(coordinate);
   const auto size = static_cast<unsigned long long>(n < 0 ? -n : n);
@@ -143,7 +143,7 @@ std::string srs_name(const Crs& crs) {
   return codes.plane ? "urn:ogc:def:crs:EPSG::" + *codes.plane : "";
 }
 
-/// The box of all faces with the CRS; nothing if there is neither.
+/// The box of all faces, with the CRS if it has a name; empty without faces.
 std::string envelope_text(const BuildingModel& model) {
   if (model.faces.empty()) return "";
   Eigen::Vector3d low = model.faces[0].rings[0][0];
@@ -166,7 +166,8 @@ std::string envelope_text(const BuildingModel& model) {
       name.empty() ? "" : fmt::format(" srsName=\"{}\"", name), corner(low), corner(high));
 }
 
-/// The model with ids that XML takes, each once in the document. A face whose id is taken has none.
+/// The model with ids that are valid in XML and unique in the document. A face whose id is already
+/// taken gets none.
 BuildingModel with_xml_ids(BuildingModel model) {
   std::set<std::string> taken;
   for (Building& building : model.buildings) {

@@ -33,7 +33,7 @@ const json& member(const json& object, const char* name) {
   return found == object.end() ? nothing : *found;
 }
 
-/// What no value is given for; also for an object that is none.
+/// Empty if the member is missing or is neither text nor a number, or if `object` is not an object.
 std::string text_member(const json& object, const char* name) {
   const json& value = member(object, name);
   if (value.is_string()) return value.get<std::string>();
@@ -85,8 +85,8 @@ FaceKind kind_of_surface(const std::string& type) {
   return FaceKind::kOther;
 }
 
-/// How deep the list of rings of one face lies in `boundaries`, "MultiSurface" 1; none for a
-/// geometry without surfaces.
+/// The nesting depth of one face's list of rings in `boundaries`, 1 for "MultiSurface";
+/// std::nullopt for a geometry without surfaces.
 std::optional<int> depth_of_faces(const std::string& type) {
   static const std::map<std::string, int> depths{{"MultiSurface", 1},
                                                  {"CompositeSurface", 1},
@@ -97,7 +97,7 @@ std::optional<int> depth_of_faces(const std::string& type) {
   return found == depths.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Vertices of a geometry, and where they are put.
+/// Vertices of a geometry, and their placement.
 struct PlacedGeometry {
   const std::vector<Eigen::Vector3d>* vertices;
   Eigen::Affine3d world_from_vertices = Eigen::Affine3d::Identity();
@@ -141,8 +141,8 @@ class ObjectReader {
     return buildings;
   }
 
-  /// The building that an object is a part of, over any number of parts; the object itself if it is
-  /// no part.
+  /// The building to which an object belongs, through any number of parts; the object itself if it
+  /// is not a part.
   static std::string root_of(const std::string& id, const json& objects) {
     constexpr int kMaxDepth = 16;  // parts that are parts of themselves have no root
     std::string root = id;
@@ -200,7 +200,7 @@ class ObjectReader {
     return i < templates_.size() ? &templates_[i] : nullptr;
   }
 
-  /// A template is put at a vertex of the file by a matrix of 4 x 4, by rows.
+  /// A template is placed at a vertex of the file by a 4 x 4 matrix, stored by rows.
   void read_instance(const json& instance,
                      const std::optional<std::string>& lod,
                      const std::vector<Eigen::Vector3d>& vertices,
@@ -235,7 +235,7 @@ class ObjectReader {
                building);
   }
 
-  /// `values` has the shape of `boundaries` down to the faces; null stands for all below it.
+  /// `values` has the shape of `boundaries` down to the faces; null applies to everything below it.
   void read_faces(const json& boundaries,
                   const json* values,
                   int depth,
@@ -268,7 +268,7 @@ class ObjectReader {
     if (!rings.is_array()) throw IoError(where_, "a face must be an array of rings");
     for (const json& ring : rings) {
       if (std::optional<Ring> read = ring_of(ring, placed)) face.rings.push_back(std::move(*read));
-      // Holes alone would be taken for the outer ring.
+      // Without the outer ring, a hole would be taken for it.
       else if (face.rings.empty())
         return model_.left_out.add(kUnusableFace);
     }
@@ -276,7 +276,7 @@ class ObjectReader {
     model_.faces.push_back(std::move(face));
   }
 
-  /// None of fewer than three vertices, or if a vertex is not there.
+  /// Returns std::nullopt for fewer than three vertices or if a vertex does not exist.
   std::optional<Ring> ring_of(const json& indices, const PlacedGeometry& placed) {
     if (!indices.is_array() || indices.size() < 3) return std::nullopt;
     if (indices.size() > vertices_left_)
@@ -295,7 +295,7 @@ class ObjectReader {
 
   BuildingModel& model_;
   const ReadModelOptions& options_;
-  std::size_t vertices_left_;  ///< that faces may still have: small files may repeat them endlessly
+  std::size_t vertices_left_;  ///< that faces may still have; small files can repeat them endlessly
   JsonColumns columns_;
   json templates_;
   std::vector<Eigen::Vector3d> template_vertices_;

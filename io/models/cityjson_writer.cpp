@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The vertices of a file, each once, as whole thousandths above a corner.
+/// The vertices of a file, each once, in whole thousandths relative to a corner.
 class VertexList {
  public:
   explicit VertexList(const BuildingModel& model) {
@@ -35,7 +35,8 @@ class VertexList {
   std::size_t place_of(const Eigen::Vector3d& vertex) {
     std::array<long long, 3> key{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      // both are rounded alone, as the difference of large numbers would depend on the corner
+      // each is rounded separately, because the difference of large numbers would depend on the
+      // corner
       const auto i = static_cast<Eigen::Index>(axis);
       key[axis] = in_thousandths(vertex[i]) - in_thousandths(corner_[i]);
     }
@@ -63,7 +64,7 @@ json rings_json(const Face& face, VertexList& vertices) {
   return rings;
 }
 
-/// A semantic surface for each face with an id, and one for all faces of a kind without.
+/// One semantic surface for each face with an id, and one per kind for all faces without an id.
 json semantics_json(std::span<const Face> faces) {
   json surfaces = json::array();
   json values = json::array();
@@ -90,7 +91,7 @@ json geometry_json(const Building& building, std::span<const Face> faces, Vertex
   for (const Face& face : faces) boundaries.push_back(rings_json(face, vertices));
   json semantics = semantics_json(faces);
   const bool is_solid = are_closed(faces);
-  if (is_solid) {  // of one shell
+  if (is_solid) {  // with one shell
     boundaries = json::array({std::move(boundaries)});
     semantics["values"] = json::array({std::move(semantics["values"])});
   }

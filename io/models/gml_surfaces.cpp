@@ -25,7 +25,7 @@ bool is_one_of(const std::array<std::string_view, kN>& names, std::string_view n
   return std::ranges::find(names, name) != names.end();
 }
 
-/// Drops the last vertex of a ring where it repeats the first, as GML demands.
+/// Drops the last vertex of a ring if it repeats the first, as required by GML.
 void open_ring(Ring& ring) {
   if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
 }
@@ -39,7 +39,7 @@ void NumberText::add(std::string_view piece) {
     const std::string_view word = piece.substr(0, end);
     if (end == std::string_view::npos) {
       word_ += word;
-      if (word_.size() > 1000) take_word(word_);  // no number is so long
+      if (word_.size() > 1000) take_word(word_);  // no number is that long
       return;
     }
     if (word_.empty()) {

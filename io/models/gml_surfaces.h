@@ -13,31 +13,31 @@
 
 namespace ridgeline::io {
 
-/// The beginning of the namespaces of GML, whose versions end in "" and "/3.2".
+/// The beginning of the GML namespaces, which end in "" or "/3.2" depending on the version.
 inline constexpr std::string_view kGmlSpace = "http://www.opengis.net/gml";
 
-/// A polygon of GML, or a reference to surfaces that stand elsewhere (xlink:href="#id").
+/// A GML polygon, or a reference to surfaces defined elsewhere (xlink:href="#id").
 struct GmlSurface {
-  std::vector<Ring> rings;   ///< the outer one first; none for a reference
+  std::vector<Ring> rings;   ///< the outer one first; empty for a reference
   std::string id;            ///< gml:id of the polygon; may be empty
-  std::string reference;     ///< the id that a reference names
+  std::string reference;     ///< the id to which a reference points
   bool is_reversed = false;  ///< lies in an OrientableSurface of orientation "-"
 };
 
-/// Places of surfaces in GmlSurfaces::surfaces(), from `first` up to, but without, `end`.
+/// Range of indices into GmlSurfaces::surfaces(), from `first` up to but excluding `end`.
 struct SurfaceRange {
   std::size_t first = 0, end = 0;
 };
 
-/// Numbers between blanks or commas in a text that comes in pieces. Throws by `fail` what is no
-/// finite number.
+/// Numbers separated by blanks or commas in a text that arrives in pieces. Anything that is not a
+/// finite number is reported by calling `fail`, which throws.
 class NumberText {
  public:
   using Fail = std::function<void(const std::string& message)>;
 
   explicit NumberText(Fail fail) : fail_(std::move(fail)) {}
   void add(std::string_view piece);
-  /// The numbers since the last call, which are no more than three millions.
+  /// The numbers since the last call, at most three million.
   std::vector<double> take();
 
  private:
@@ -48,25 +48,25 @@ class NumberText {
   std::vector<double> numbers_;
 };
 
-/// Collects the polygons in the geometries of one building: of solids, shells, (composite,
-/// oriented, triangulated) surfaces and what else holds polygons.
+/// Collects the polygons in the geometries of one building: from solids, shells, (composite,
+/// oriented, triangulated) surfaces and any other element with polygons.
 class GmlSurfaces {
  public:
-  /// Counts in `left_out` what is no face: polygons without heights and those of fewer than three
-  /// vertices.
+  /// Counts in `left_out` the polygons that are not faces: those without heights and those with
+  /// fewer than three vertices.
   GmlSurfaces(const XmlStream& stream, KindCounts& left_out);
 
-  // An element of a geometry begins, has text, and ends. Each throws IoError for coordinates that
-  // are none.
+  // To be called when an element of a geometry begins, has text, and ends. Each throws IoError for
+  // invalid coordinates.
   void start(const XmlName& name, const XmlAttributes& attributes);
   void text(std::string_view piece);
   void end();
 
   [[nodiscard]] const std::vector<GmlSurface>& surfaces() const { return surfaces_; }
-  /// The surfaces in the element of an id; null if there is none.
+  /// The surfaces in the element with this id; null if there is none.
   [[nodiscard]] const SurfaceRange* with_id(const std::string& id) const;
 
-  /// Forgets what was collected.
+  /// Discards everything collected.
   void clear();
 
  private:
@@ -74,7 +74,7 @@ class GmlSurfaces {
   struct Frame {
     Role role = Role::kOther;
     std::string name, id;
-    std::size_t first = 0;  ///< place of the first surface in it
+    std::size_t first = 0;  ///< index of the first surface in it
     bool is_reversed = false;
     int dimension = 3;
   };
@@ -92,10 +92,10 @@ class GmlSurfaces {
   std::vector<Frame> frames_;
   std::vector<GmlSurface> surfaces_;
   std::unordered_map<std::string, SurfaceRange> by_id_;
-  GmlSurface polygon_;  ///< the one that is read
+  GmlSurface polygon_;  ///< the polygon being read
   bool in_polygon_ = false;
-  bool is_flat_ = false;            ///< it has no heights
-  std::ptrdiff_t outer_ring_ = -1;  ///< place of its outer ring
+  bool is_flat_ = false;            ///< the polygon has no heights
+  std::ptrdiff_t outer_ring_ = -1;  ///< index of its outer ring
 };
 
 }  // namespace ridgeline::io

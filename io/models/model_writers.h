@@ -10,21 +10,21 @@
 
 namespace ridgeline::io {
 
-// One writer per format; what it is given was checked by write_model().
+// One writer per format; the model has been checked by write_model().
 void write_cityjson(const BuildingModel& model, std::ostream& stream);
 void write_citygml(const BuildingModel& model, std::ostream& stream);
 
-/// The codes that EPSG has for a CRS: one for the whole, or those of its parts.
+/// The EPSG codes of a CRS: one for the whole, or those of its parts.
 struct EpsgCodes {
   std::optional<std::string> whole, plane, heights;
 };
 EpsgCodes epsg_codes_of(const Crs& crs);
 
-/// A coordinate in whole thousandths, which the formats share.
+/// A coordinate in whole thousandths, as used by both formats.
 long long in_thousandths(double coordinate);
 
-/// Whether the faces are the surface of bodies: each edge of a ring, in thousandths, has its one
-/// counterpart that runs the other way.
+/// Whether the faces form closed bodies: each edge of a ring, in thousandths, has exactly one
+/// counterpart in the opposite direction.
 bool are_closed(std::span<const Face> faces);
 
 /// "RoofSurface" etc.; null for kUnknown.

@@ -23,7 +23,7 @@ BuildingModel read(const std::string& path, const ReadModelOptions& options) {
   return read_cityjson(path, text_of_model(path), options);
 }
 
-/// A model without faces cannot be told from one in another LoD.
+/// A model without faces cannot be distinguished from one in another LoD.
 void require_faces(const BuildingModel& model, const ReadModelOptions& options) {
   if (!model.faces.empty()) return;
   const std::string wanted =

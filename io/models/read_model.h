@@ -7,15 +7,16 @@
 
 namespace ridgeline::io {
 
-/// Whether the content of a file says that it is a model of buildings.
+/// Whether a file is a building model according to its content.
 bool is_model(const std::string& path);
 
-/// The text of a file of CityJSON or CityGML, decompressed. Throws IoError.
+/// The decompressed text of a CityJSON or CityGML file. Throws IoError.
 std::string text_of_model(const std::string& path);
 
-/// Reads a model of buildings: CityJSON, CityJSONSeq or CityGML, also compressed by gzip; the
-/// content tells the format. Throws IoError for a file that cannot be read, that is no such model
-/// or has no building with faces in the LoD that is wanted; the message says what there is.
+/// Reads a building model: CityJSON, CityJSONSeq or CityGML, optionally compressed with gzip; the
+/// format is detected from the content. Throws IoError for a file that cannot be read, is not such
+/// a model or has no building with faces in the requested LoD; the message states what is
+/// available.
 BuildingModel read_model(const std::string& path, const ReadModelOptions& options = {});
 
 }  // namespace ridgeline::io

@@ -20,7 +20,7 @@ constexpr LeftOutKind kFlatFace{"face without an area", "faces without an area"}
 constexpr LeftOutKind kRepeatedFace{"repeated face", "repeated faces"};
 
 void make_ids_unique(std::vector<Building>& buildings, std::vector<std::string>& warnings) {
-  std::map<std::string, int> n_taken;  // how often an id was asked for
+  std::map<std::string, int> n_taken;  // how often an id was requested
   std::size_t n_renamed = 0;
   for (Building& building : buildings) {
     const std::string id = building.id;
@@ -37,7 +37,7 @@ void make_ids_unique(std::vector<Building>& buildings, std::vector<std::string>&
 }
 
 bool has_area(const Ring& ring) {
-  constexpr double kMaxCoordinate = 1e12;  // beyond it no millimetre is told apart
+  constexpr double kMaxCoordinate = 1e12;  // beyond it, millimetres cannot be resolved
   return std::ranges::all_of(ring,
                              [](const Eigen::Vector3d& x) {
                                return x.allFinite() && x.cwiseAbs().maxCoeff() < kMaxCoordinate;
@@ -53,8 +53,8 @@ void drop_faces_without_area(BuildingModel& model) {
     std::erase_if(face.rings, [](const Ring& ring) { return !has_area(ring); });
 }
 
-/// Leaves one of the faces of a building with the same outline, as a solid and a multi-surface of
-/// one level have: the first that states what it is.
+/// Keeps one of the faces of a building with the same outline, such as those of a solid and a
+/// multi-surface of one level: the first that states its kind, otherwise the first.
 void drop_repeats(BuildingModel& model) {
   std::map<std::pair<std::size_t, Outline>, std::size_t> kept_at;
   std::vector<Face> kept;

@@ -19,7 +19,7 @@ struct AdvSystem {
   std::string_view name, code;
 };
 
-/// Names of the AdV, the German surveying offices, with the codes of EPSG.
+/// Names of the AdV, the German surveying offices, with their EPSG codes.
 constexpr std::array kAdvPlane{
     AdvSystem{"ETRS89_UTM31", "25831"}, AdvSystem{"ETRS89_UTM32", "25832"},
     AdvSystem{"ETRS89_UTM33", "25833"}, AdvSystem{"DE_DHDN_3GK2", "31466"},
@@ -44,8 +44,8 @@ std::string_view last_digits(std::string_view text) {
   return last_other == std::string_view::npos ? text : text.substr(last_other + 1);
 }
 
-/// The codes in a name of any form: what stands last in each part that names EPSG, and a number
-/// behind a "+".
+/// The codes in a name of any form: the last item of each part that names EPSG, and a number after
+/// a "+".
 std::vector<std::string> epsg_codes(std::string_view name) {
   std::vector<std::string> codes;
   for (const std::string_view piece : pieces_of(name, ",&;+")) {
@@ -65,14 +65,14 @@ std::optional<std::string> code_in(const std::array<AdvSystem, kN>& systems,
   return std::string(found->code);
 }
 
-/// The code of the plane and that of the heights, if both are known; none for an unknown plane.
+/// The code of the plane and, if known, that of the heights; empty for an unknown plane.
 std::vector<std::string> adv_codes(std::string_view name, std::string& warning) {
   std::vector<std::string> codes;
   const std::vector<std::string_view> parts = pieces_of(name.substr(name.rfind(':') + 1), "*");
   const auto plane = code_in(kAdvPlane, parts[0]);
   if (!plane) return codes;
   codes.push_back(*plane);
-  // a third part names the geoid by which the heights were made
+  // a third part names the geoid from which the heights were derived
   if (parts.size() < 2) return codes;
   if (const auto heights = code_in(kAdvHeights, parts[1])) {
     codes.push_back(*heights);

@@ -29,7 +29,7 @@ std::optional<std::string> code_at_epsg(const PJ* crs) {
 }
 
 void check_faces(const BuildingModel& model) {
-  constexpr double kMaxCoordinate = 9e12;  // whose thousandths are exact in a double
+  constexpr double kMaxCoordinate = 9e12;  // thousandths are exact in a double below it
   for (const Face& face : model.faces) {
     check(face.building < model.buildings.size(), "write_model: building = ", face.building,
           ", must be that of a building of the model");
@@ -45,7 +45,7 @@ void check_faces(const BuildingModel& model) {
   }
 }
 
-/// The model with an id of its own for each building.
+/// The model with an id for each building. Throws std::invalid_argument if two share an id.
 BuildingModel with_ids(BuildingModel model) {
   std::set<std::string> ids;
   for (std::size_t i = 0; i < model.buildings.size(); ++i) {

@@ -22,7 +22,7 @@ namespace ridgeline::io {
 namespace {
 
 constexpr char kSpaceEnd =
-    '\n';  // between the namespace and the local name; neither can hold a line end
+    '\n';  // between the namespace and the local name; neither can contain a line end
 
 XmlName split_name(std::string_view name) {
   const std::size_t end = name.rfind(kSpaceEnd);
@@ -35,7 +35,7 @@ struct GzipDeleter {
 };
 using GzipFile = std::unique_ptr<gzFile_s, GzipDeleter>;
 
-/// The bytes of a file, unpacked if it is compressed by gzip.
+/// The bytes of a file, unpacked if it is compressed with gzip.
 class Unpacked {
  public:
   explicit Unpacked(const std::string& path) : path_(path) {
@@ -47,12 +47,12 @@ class Unpacked {
     most_bytes_ = std::max(kAlwaysRead_bytes, kMaxGrowth * std::filesystem::file_size(path));
   }
 
-  /// The next bytes; none at the end.
+  /// The next bytes; empty at the end.
   std::string_view next() {
     const int n_read = gzread(file_.get(), block_.data(), static_cast<unsigned>(block_.size()));
     int error = Z_OK;
     const char* const message = gzerror(file_.get(), &error);
-    // a file that ends too early is no error of gzread
+    // gzread does not report a file that ends too early as an error
     if (n_read < 0 || error != Z_OK) {
       throw IoError(path_, fmt::format("cannot be unpacked: {}", message));
     }
@@ -82,7 +82,7 @@ std::string_view XmlAttributes::value(std::string_view local, std::string_view s
   return {};
 }
 
-/// Expat's parser. Its callbacks must not throw, as expat is C: what they throw is kept until the
+/// Expat's parser. Its callbacks must not throw, because expat is C: exceptions are kept until the
 /// parser has returned.
 struct XmlStream::Parser {
   Parser(const std::string& file, XmlEvents handlers)
@@ -158,7 +158,7 @@ struct XmlStream::Parser {
     require_end_of_token(bytes.size());
   }
 
-  /// Expat keeps a tag until it is whole and reads it again from its start with each piece.
+  /// Expat keeps a tag until it is complete and reads it again from its start with each piece.
   void require_end_of_token(std::size_t n_bytes) {
     constexpr std::size_t kMaxToken_bytes = 4U << 20U;
     n_bytes_of_token = made_progress ? 0 : n_bytes_of_token + n_bytes;

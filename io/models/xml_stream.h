@@ -8,8 +8,8 @@
 
 namespace ridgeline::io {
 
-/// The name of an element or an attribute: its namespace, not the prefix that a file gives it, and
-/// its local name.
+/// The name of an element or an attribute: its namespace (not the prefix used in the file) and its
+/// local name.
 struct XmlName {
   std::string_view space, local;
 };
@@ -24,20 +24,21 @@ class XmlAttributes {
   [[nodiscard]] std::string_view value(std::string_view local, std::string_view space = {}) const;
 
  private:
-  const char* const* pairs_;  ///< as expat gives them: name, value, ..., nullptr
+  const char* const* pairs_;  ///< as passed by expat: name, value, ..., nullptr
 };
 
-/// What is called for the parts of a document, in their order. Views last as long as the call.
+/// Callbacks for the parts of a document, called in document order. Views are valid only during the
+/// call.
 struct XmlEvents {
   std::function<void(const XmlName&, const XmlAttributes&)> start;
-  std::function<void(std::string_view)> text;  ///< a text may come in several pieces
+  std::function<void(std::string_view)> text;  ///< a text may arrive in several pieces
   std::function<void()> end;
 };
 
-/// An XML file, read piece by piece, also if it is compressed by gzip: its first bytes tell, not
-/// its name. What would take memory or time out of proportion is refused: a DOCTYPE, and with it
-/// all entities of the file, elements that lie more than 200 deep within each other, tags and
-/// comments of more than 4 MiB, and more than 100 bytes of text for each byte of a compressed file.
+/// An XML file, read piece by piece; gzip compression is detected from the first bytes, not from
+/// the name. Anything that would take disproportionate memory or time is rejected: a DOCTYPE, and
+/// with it all entities of the file, elements nested more than 200 deep, tags and comments of more
+/// than 4 MiB, and more than 100 bytes of text per byte of a compressed file.
 class XmlStream {
  public:
   XmlStream(const std::string& path, XmlEvents events);
@@ -45,11 +46,11 @@ class XmlStream {
   XmlStream(const XmlStream&) = delete;
   XmlStream& operator=(const XmlStream&) = delete;
 
-  /// Reads the whole file. Throws IoError if it cannot be read or is no whole XML document, and
-  /// whatever an event throws.
+  /// Reads the whole file. Throws IoError if it cannot be read or is not a complete XML document,
+  /// and whatever an event throws.
   void read();
 
-  /// `path:line` of the event that is reported.
+  /// `path:line` of the current event.
   [[nodiscard]] std::string place() const;
 
  private:

@@ -18,8 +18,8 @@
 namespace ridgeline::io {
 namespace {
 
-/// Where the axes x and y of the camera point in the image; z completes them to a right-handed
-/// system, so that it points forwards or backwards.
+/// The directions of the camera's x and y axes in the image; z completes a right-handed system, so
+/// that it points forwards or backwards.
 struct CameraAxes {
   std::string_view name;
   Eigen::Vector2i x, y;  ///< in the image: right and UP
@@ -31,7 +31,7 @@ const std::array kCameraAxes{
     CameraAxes{"XDownYRight", {0, -1}, {1, 0}}, CameraAxes{"XDownYLeft", {0, -1}, {-1, 0}},
     CameraAxes{"XUpYRight", {0, 1}, {1, 0}},    CameraAxes{"XUpYLeft", {0, 1}, {-1, 0}}};
 
-/// Turns the file's camera axes into ours: x right, y up, looking along -z.
+/// The rotation from the file's camera axes to ours: x right, y up, looking along -z.
 Eigen::Matrix3d ours_from_axes(const XmlElement& photogroup) {
   const std::string stated = photogroup.child("CameraOrientation").text();
   const std::string name = stated.empty() ? "XRightYDown" : stated;
@@ -49,7 +49,7 @@ Eigen::Matrix3d ours_from_axes(const XmlElement& photogroup) {
   return R;
 }
 
-/// Coefficients of distorted from ideal coordinates; p1 and p2 change places against ours.
+/// The coefficients map ideal to distorted coordinates; p1 and p2 are swapped relative to ours.
 BrownDistortion distortion_of(const XmlElement& distortion) {
   const auto value = [&](const char* name) { return distortion.number_or(name, 0.0); };
   return {value("K1"), value("K2"), value("K3"), value("P2"), value("P1")};
@@ -96,10 +96,10 @@ InteriorOrientation photogroup_interior(const std::string& path, const XmlElemen
   return interior;
 }
 
-/// Camera axes of the file from world.
+/// The rotation from world to the file's camera axes.
 Eigen::Matrix3d rotation_of(const XmlElement& rotation) {
   if (rotation.child("Omega").exists()) {
-    // they make the matrix that would stand in their place, of the same camera axes
+    // the angles give the matrix that the file could contain instead, for the same camera axes
     return world_from_camera_axes(kRadPerDeg * rotation.number("Omega"),
                                   kRadPerDeg * rotation.number("Phi"),
                                   kRadPerDeg * rotation.number("Kappa"))
@@ -165,7 +165,7 @@ class ExchangeReader {
     orientation_.images.push_back(std::move(image));
   }
 
-  /// The median depth of what a photo shows lies about below its middle.
+  /// The ground is assumed to lie at the median depth below the centre of a photo.
   void add_ground(const XmlElement& photo, const ExteriorOrientation& exterior) {
     const auto depth = photo.number_if_there("MedianDepth");
     if (!depth) return;

@@ -35,7 +35,7 @@ Eigen::Vector2d pair_of(const YamlMap& map, const char* key) {
   return {both[0], both[1]};
 }
 
-/// The keys of a patch file.
+/// A camera with the keys of a patch file.
 InteriorOrientation metric_camera(const std::string& path, const YAML::Node& node) {
   const YamlMap map(path, node,
                     {"focal_length_mm", "pixel_size_um", "size_px", "principal_point_mm", "k1",
@@ -53,8 +53,8 @@ InteriorOrientation metric_camera(const std::string& path, const YAML::Node& nod
   }
 }
 
-/// Focal length and sensor have one unit; without a sensor the focal length is in units of the
-/// longer side.
+/// Focal length and sensor size have the same unit; without a sensor size, the focal length is in
+/// units of the longer side.
 Eigen::Vector2d focal_length_px(const YamlMap& map, const Eigen::Vector2d& size_px) {
   const Eigen::Vector2d focal = pair_of(map, "focal_len");
   if (!map.has("sensor_size")) return focal * size_px.maxCoeff();
@@ -84,8 +84,7 @@ InteriorOrientation scaled_camera(const std::string& path, const YAML::Node& nod
   return interior;
 }
 
-/// Whether a camera is of a kind whose other keys are not known. Its type is refused before its
-/// keys are.
+/// Whether a camera is of an unsupported type, which is refused before its keys are checked.
 bool has_other_type(const YAML::Node& node) {
   return node.IsMap() && node["type"] && node["type"].IsScalar() &&
          node["type"].Scalar() != "pinhole" && node["type"].Scalar() != "brown";

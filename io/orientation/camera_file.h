@@ -9,23 +9,22 @@
 namespace ridgeline::io {
 
 /// The cameras of a YAML file, by name. Each has either the keys of a patch file (`focal_length_mm,
-/// pixel_size_um, size_px`, perhaps `principal_point_mm` and `k1, k2, k3, p1, p2`) or those of
-/// Orthority and OpenDroneMap (`type, im_size, focal_len`, perhaps `sensor_size`, `cx`, `cy` in
+/// pixel_size_um, size_px`, optionally `principal_point_mm` and `k1, k2, k3, p1, p2`) or those of
+/// Orthority and OpenDroneMap (`type, im_size, focal_len`, optionally `sensor_size`, `cx`, `cy` in
 /// units of the longer side, and Brown's coefficients). Throws IoError with the line for unknown
-/// keys, for values that cannot be, and for types other than pinhole and brown, such as fisheye, by
-/// name.
+/// keys, invalid values, and types other than pinhole and brown, such as fisheye, naming the type.
 std::vector<Camera> read_cameras(const std::string& path);
 
-/// Where the coefficients of Brown's distortion that only some programs have move a pixel of the
-/// frame by less than this, they are left out.
+/// Distortion coefficients that only some programs have are ignored if they move every pixel of the
+/// frame by less than this.
 constexpr double kLeftOut_px = 0.05;
 
-/// The largest distance of a pixel of the frame from the principal point in units of the focal
+/// The largest distance of a pixel of the frame from the principal point, in units of the focal
 /// length.
 double largest_radius(const InteriorOrientation& interior);
 
-/// Throws IoError if a coefficient that this program does not have, such as k4 or a skew, moves
-/// pixels of the frame by more than kLeftOut_px. `effect_px`: how much it moves them at most.
+/// Throws IoError if a coefficient that this program does not support, such as k4 or a skew, moves
+/// pixels of the frame by more than kLeftOut_px. `effect_px`: the largest shift it causes.
 void require_negligible(const std::string& path, const std::string& name, double effect_px);
 
 }  // namespace ridgeline::io

@@ -23,7 +23,7 @@ namespace {
 using Cameras = std::map<std::uint32_t, InteriorOrientation>;
 
 struct CameraModel {
-  int id;  ///< number of the model in .bin files
+  int id;  ///< id of the model in .bin files
   std::string_view name;
   std::size_t n_params;
 };
@@ -39,7 +39,7 @@ constexpr std::array kModels{CameraModel{0, "SIMPLE_PINHOLE", 3}, CameraModel{1,
                             model));
 }
 
-/// The parameters stand as f, cx, cy or fx, fy, cx, cy, then the distortion.
+/// The parameters are in the order f, cx, cy or fx, fy, cx, cy, then the distortion.
 InteriorOrientation interior_of(const CameraModel& model,
                                 const std::vector<double>& params,
                                 const std::string& where) {
@@ -60,7 +60,7 @@ InteriorOrientation interior_of(const CameraModel& model,
   return interior;
 }
 
-/// COLMAP states camera from world with axes x right, y down, z forwards.
+/// COLMAP gives the transformation from world to camera with axes x right, y down, z forwards.
 ExteriorOrientation exterior_of(const std::array<double, 7>& q_and_t, const std::string& where) {
   const Eigen::Quaterniond rotation(q_and_t[0], q_and_t[1], q_and_t[2], q_and_t[3]);
   if (!(rotation.norm() > 0.0)) throw IoError(where, "the rotation quaternion is zero");
@@ -87,8 +87,8 @@ const InteriorOrientation& camera_of(const Cameras& cameras,
   return it->second;
 }
 
-/// Rows of a text file that are no comments, one after another, so that files of any size take
-/// little memory. Blank ones count, as an image without points has a blank second row.
+/// Reads the rows of a text file one by one, without comments, so that files of any size take
+/// little memory. Blank rows count, because an image without points has a blank second row.
 class ColmapRows {
  public:
   explicit ColmapRows(const std::string& path) : path_(path) {
@@ -96,7 +96,7 @@ class ColmapRows {
     stream_.open(path, std::ios::binary);
   }
 
-  /// The next row; nothing at the end of the file. The text holds until the next call.
+  /// The next row; std::nullopt at the end of the file. The text is valid until the next call.
   std::optional<TextRow> next() {
     while (read_row()) {
       ++number_;
@@ -107,7 +107,7 @@ class ColmapRows {
   }
 
  private:
-  /// A row is at most as long as that of an image with 100,000 points.
+  /// The limit on the length of a row is that of an image with 100,000 points.
   bool read_row() {
     constexpr std::size_t kMaxRow_bytes = std::size_t{8} << 20U;
     row_.clear();
@@ -183,14 +183,14 @@ std::vector<ColmapImage> read_images_text(const std::string& path, const Cameras
   while (const std::optional<TextRow> row = rows.next()) {
     const std::string where = place(path, row->number);
     const std::string text(row->text);
-    const std::optional<TextRow> points = rows.next();  // each second row lists 2D points
+    const std::optional<TextRow> points = rows.next();  // every second row lists 2D points
     if (text.empty() && !points) break;
     images.push_back(image_of({row->number, text}, where, cameras));
   }
   return images;
 }
 
-/// Little-endian values one after another, as on every machine that COLMAP runs on.
+/// Reads consecutive little-endian values, as on every machine that COLMAP runs on.
 class BinaryReader {
  public:
   explicit BinaryReader(const std::string& path) : path_(path) {

@@ -12,16 +12,17 @@ namespace ridgeline::io {
 /// One registered image of a COLMAP model.
 struct ColmapImage {
   std::uint32_t id = 0;
-  std::string name;          ///< path below the model's image folder
+  std::string name;          ///< path relative to the model's image folder
   std::uint32_t camera = 0;  ///< id of the camera
   InteriorOrientation interior;
   ExteriorOrientation exterior;
 };
 
-/// The images of the COLMAP model in `folder`, by id: cameras and images as .bin or .txt (.bin wins
-/// if both are there). Models PINHOLE, SIMPLE_PINHOLE, SIMPLE_RADIAL, RADIAL and OPENCV. COLMAP's
-/// (0.5, 0.5) is the centre of the top-left pixel; the result has (0, 0) there.
-/// Throws IoError for a missing or damaged file, another camera model, or an image without camera.
+/// The images of the COLMAP model in `folder`, by id: cameras and images as .bin or .txt (.bin is
+/// preferred). Supported models: PINHOLE, SIMPLE_PINHOLE, SIMPLE_RADIAL, RADIAL and OPENCV. In
+/// COLMAP the centre of the top-left pixel is (0.5, 0.5); in the result it is (0, 0).
+/// Throws IoError for a missing or damaged file, another camera model, or an image without a
+/// camera.
 std::vector<ColmapImage> read_colmap(const std::string& folder);
 
 }  // namespace ridgeline::io

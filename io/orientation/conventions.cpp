@@ -28,15 +28,15 @@ double full_turn(AngleUnit unit) {
   }
 }
 
-/// The angle in [0, 45] degrees between two directions when a quarter turn does not count.
+/// The angle in [0, 45] degrees between two directions, modulo a quarter turn.
 double angle_modulo_quarter_deg(double a_rad, double b_rad) {
   constexpr double kQuarter_deg = 90.0;
   const double angle = std::fmod(std::abs(a_rad - b_rad) * kDegPerRad, kQuarter_deg);
   return std::min(angle, kQuarter_deg - angle);
 }
 
-/// The plan vector from an image to the nearest one that was not taken at the same place; zero if
-/// there is none.
+/// The plan vector from an image to the nearest one taken at a different place; zero if there is
+/// none.
 Eigen::Vector2d to_nearest(const std::vector<OrientedImage>& images, std::size_t image) {
   constexpr double kSamePlace_m = 1e-3;
   Eigen::Vector2d nearest = Eigen::Vector2d::Zero();
@@ -52,7 +52,7 @@ Eigen::Vector2d to_nearest(const std::vector<OrientedImage>& images, std::size_t
   return nearest;
 }
 
-/// Whether all images are turned alike: to 0.1 px at a focal length of 10,000 px.
+/// Whether two readings rotate all images equally: to 0.1 px at a focal length of 10,000 px.
 bool mean_the_same(const RotationReading& a, const RotationReading& b) {
   constexpr double kSame = 1e-5;
   for (std::size_t i = 0; i < a.world_from_camera_axes.size(); ++i) {
@@ -77,16 +77,15 @@ void turn_images(const RotationReading& reading, Orientation& orientation) {
   }
 }
 
-/// What speaks for each reading: the smaller, the better.
+/// The evidence for each reading: the smaller the value, the better.
 struct Evidence {
-  const char* text;  ///< "rays meet to {:.2g} px"
-  double most;       ///< a reading with more is not right
-  double margin;     ///< the next one must have three times as much and this more
+  const char* text;  ///< "rays intersect within {:.2g} px"
+  double most;       ///< a reading with a larger value is rejected
+  double margin;     ///< the second best must exceed three times the best by this
   std::vector<double> values;
 };
 
-/// The number of the reading that is right by the evidence; nothing if there is none, or more than
-/// one.
+/// The index of the reading that the evidence singles out; std::nullopt if there is none.
 std::optional<std::size_t> decided_by(const Evidence& evidence) {
   constexpr double kTimes = 3.0;
   std::vector<double> sorted = evidence.values;
@@ -96,8 +95,8 @@ std::optional<std::size_t> decided_by(const Evidence& evidence) {
   return std::ranges::min_element(evidence.values) - evidence.values.begin();
 }
 
-/// The most that right rays miss each other by. Points are found in images reduced to 1500 pixels,
-/// so in large frames they are less exact.
+/// The largest distance by which rays of the correct reading may miss each other. Points are found
+/// in images reduced to 1500 pixels, so in large frames they are less accurate.
 double most_ray_distance_px(const Orientation& orientation) {
   constexpr double kMinDistance_px = 5.0;
   constexpr double kOfLongerSide = 0.002;
@@ -124,7 +123,7 @@ Evidence ray_evidence(const std::vector<const RotationReading*>& readings,
 
 Evidence strip_evidence(const std::vector<const RotationReading*>& readings,
                         Orientation& orientation) {
-  constexpr double kLooksAway_deg = 45.0;  // of a reading under which no images look down
+  constexpr double kLooksAway_deg = 45.0;  // for a reading under which no images look down
   bool any = false;
   Evidence evidence{"images are aligned with the strips within {:.1f} degrees", 5.0, 2.0, {}};
   for (const RotationReading* reading : readings) {
@@ -137,7 +136,8 @@ Evidence strip_evidence(const std::vector<const RotationReading*>& readings,
   return evidence;
 }
 
-/// "rays meet to 0.3 px with angles in degrees, to 200 px with angles in gon".
+/// "with angles in degrees rays intersect within 0.3 px, with angles in gon rays intersect within
+/// 90 px".
 std::string evidence_text(const Evidence& evidence,
                           const std::vector<const RotationReading*>& readings) {
   std::vector<std::string> texts;

@@ -17,8 +17,8 @@ namespace {
 
 using Ring = std::vector<Eigen::Vector3d>;
 
-/// Below this cosine of the angle to the plumb line a ray is taken to miss the ground: its foot
-/// lies six flying heights away.
+/// If the cosine of its angle to the plumb line is smaller than this, a ray is treated as missing
+/// the ground: it would reach it six flying heights away.
 constexpr double kSteepEnough = 0.17;
 
 std::optional<Eigen::Vector3d> on_ground(const InteriorOrientation& interior,
@@ -36,7 +36,7 @@ std::optional<Eigen::Vector3d> on_ground(const InteriorOrientation& interior,
   return exterior.position_m - ray * (depth_m / ray.z());
 }
 
-/// Whether a point lies within a ring, by the number of sides to the right of it.
+/// Whether a point lies within a ring, determined by the number of sides to its right.
 bool is_within(const Ring& ring, const Eigen::Vector2d& x) {
   bool within = false;
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
@@ -110,10 +110,11 @@ MapFeature cell_of(const Eigen::Vector2d& corner,
   return {ring, {{0, count}}};
 }
 
-/// Square cells with the number of images that see their middle; cells that none sees are left out.
+/// Square cells with the number of images that see their centres; cells not seen by any image are
+/// left out.
 MapLayer overlap_layer(const std::vector<Ring>& rings, double height_m) {
   constexpr double kCells = 2500.0;
-  constexpr double kMaxCellsPerRow = 500.0;  // of long strips
+  constexpr double kMaxCellsPerRow = 500.0;  // for long strips
   MapLayer layer{.name = "overlap",
                  .description = "number of images that show the centre of a cell",
                  .geometry = MapGeometry::kPolygon,

@@ -11,7 +11,7 @@
 namespace ridgeline::io {
 namespace {
 
-/// The middle of the images in geocentric coordinates.
+/// The centre of the images in geocentric coordinates.
 Eigen::Vector3d middle_of(const Orientation& orientation, const Eigen::Isometry3d& frame) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const OrientedImage& image : orientation.images) sum += image.exterior.position_m;

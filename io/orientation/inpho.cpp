@@ -57,7 +57,7 @@ class InphoReader {
     if (bracket != std::string::npos) orientation_.crs.definition = definition;
   }
 
-  /// `n_rows` rows of `n` numbers each, below a key.
+  /// The `n_rows` rows of `n` numbers each below a key.
   [[nodiscard]] Eigen::MatrixXd matrix(const InphoBlock& block,
                                        const std::string& key,
                                        std::size_t n_rows,
@@ -93,7 +93,7 @@ class InphoReader {
     return values;
   }
 
-  /// Where the keys of the calibration in use stand: none, or the number of its $CALIBRATION_SET.
+  /// The prefix of the keys of the active calibration: none, or the number of its $CALIBRATION_SET.
   [[nodiscard]] static std::string calibration_of(const InphoBlock& block) {
     const std::string active = block.text("$ACTIVE_CALIBRATION");
     std::string first;
@@ -143,8 +143,8 @@ class InphoReader {
     return size.cast<int>();
   }
 
-  /// Pixels a millimetre along columns and rows, on the diagonal. Keeps how the camera's axes lie
-  /// in the image.
+  /// Pixels per millimetre along columns and rows, on the diagonal. Also stores the orientation of
+  /// the camera's axes in the image.
   Eigen::Matrix2d axes_of(const InphoBlock& block, const Eigen::Matrix2d& px_from_mm) {
     constexpr double kSkew = 1e-4;  // a pixel in 10,000
     const Eigen::Vector2d px_per_mm = px_from_mm.rowwise().norm();
@@ -172,8 +172,8 @@ class InphoReader {
          "$PIXEL_REFERENCE : " + reference + "; supported are CenterTopLeft and TopLeft");
   }
 
-  /// The sign of the coefficients is not known from the file: whether they are added to measured or
-  /// ideal coordinates.
+  /// The file does not state whether the coefficients apply to measured or ideal coordinates, so
+  /// their sign is unknown.
   void require_no_distortion(const InphoBlock& block,
                              const std::string& key,
                              const InteriorOrientation& interior,
@@ -229,7 +229,7 @@ class InphoReader {
     fail(block.row, fmt::format("$CAMERA_ID : {}; the file has no such camera", id));
   }
 
-  /// Focal length and position, then the matrix of the camera from the world, row by row.
+  /// Focal length and position, followed by the world-to-camera matrix, row by row.
   void add_pose(const InphoBlock& block, OrientedImage& image) const {
     const InphoEntry& entry = *block.find("$EXT_ORI");
     if (entry.rows.size() < 4)

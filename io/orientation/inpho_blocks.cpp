@@ -50,7 +50,7 @@ class InphoParser {
     if (!blocks_.empty()) blocks_.back().is_closed = true;
   }
 
-  /// Calibrations of one camera are numbered; their keys are kept apart.
+  /// The calibrations of one camera are numbered to keep their keys apart.
   void begin_calibration() {
     last_ = nullptr;
     const auto n = std::ranges::count_if(

@@ -11,15 +11,15 @@
 
 namespace ridgeline::io {
 
-/// A row "$KEY : value" with the rows below it, up to the next key.
+/// A row "$KEY : value" and the rows below it, up to the next key.
 struct InphoEntry {
   int row = 0;  ///< for messages
   std::string value;
   std::vector<TextRow> rows;
 };
 
-/// What stands between $PHOTO or $CAMERA and the next such block. Of a key that stands several
-/// times the first counts.
+/// The content from $PHOTO or $CAMERA to the next such block. If a key occurs several times, the
+/// first one counts.
 struct InphoBlock {
   std::string name;
   int row = 0;
@@ -36,9 +36,9 @@ struct InphoBlock {
   }
 };
 
-/// The blocks of a project file of Inpho. A new one begins at a key without blanks before it, and
-/// at each $PHOTO and $CAMERA_DEFINITION. Of cameras with several calibrations the keys of each
-/// have its number before them: "0/$ID". The rows point into `content`.
+/// The blocks of an Inpho project file. A new one begins at each key without leading blanks, and at
+/// each $PHOTO and $CAMERA_DEFINITION. If a camera has several calibrations, the keys of each are
+/// prefixed with its number: "0/$ID". The rows point into `content`.
 std::vector<InphoBlock> inpho_blocks(std::string_view content);
 
 }  // namespace ridgeline::io

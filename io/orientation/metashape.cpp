@@ -38,7 +38,7 @@ Similarity similarity_of(const XmlElement& transform) {
   return similarity;
 }
 
-/// The calibration that the block's adjustment gave, else the first one.
+/// The calibration from the bundle adjustment if there is one, otherwise the first one.
 XmlElement calibration_of(const XmlElement& sensor) {
   const std::vector<XmlElement> all = sensor.children("calibration");
   for (const XmlElement& one : all) {
@@ -48,7 +48,8 @@ XmlElement calibration_of(const XmlElement& sensor) {
   return all.front();
 }
 
-/// Coefficients that move a pixel at the largest radius by too much to be left out.
+/// Refuses unsupported coefficients whose effect on a pixel at the largest radius is too large to
+/// be ignored.
 void require_known_coefficients(const std::string& path,
                                 const XmlElement& calibration,
                                 const InteriorOrientation& interior) {
@@ -63,8 +64,8 @@ void require_known_coefficients(const std::string& path,
   require_negligible(path, "p4", calibration.number_or("p4", 0.0) * std::pow(r, 4) * p);
 }
 
-/// Pixels are counted from the corner of the image, cx and cy from its middle. p1 and p2 change
-/// places against ours.
+/// Pixels are counted from the corner of the image, cx and cy from its centre. p1 and p2 are
+/// swapped relative to ours.
 InteriorOrientation sensor_interior(const std::string& path, const XmlElement& sensor) {
   const XmlElement calibration = calibration_of(sensor);
   for (const std::string& type : {sensor.attribute("type"), calibration.attribute("type")}) {
@@ -122,7 +123,7 @@ class ChunkReader {
     return chunks.front();
   }
 
-  /// Cameras may lie in groups.
+  /// Cameras may be in groups.
   void add_cameras(const XmlElement& parent) {
     for (const XmlElement& camera : parent.children("camera")) add_camera(camera);
     for (const XmlElement& group : parent.children("group")) {
@@ -155,8 +156,8 @@ class ChunkReader {
     return found == block_from_component_.end() ? chunk_from_all_ : found->second;
   }
 
-  /// The camera of a sensor is made when its first image asks for it, so that sensors without
-  /// images are not judged.
+  /// The camera of a sensor is created when its first image needs it, so that sensors without
+  /// images are not checked.
   [[nodiscard]] std::size_t camera_number(const XmlElement& camera) {
     const std::string id = camera.attribute("sensor_id");
     if (const auto known = camera_of_sensor_.find(id); known != camera_of_sensor_.end()) {
@@ -170,8 +171,7 @@ class ChunkReader {
     return camera_of_sensor_[id] = orientation_.cameras.size() - 1;
   }
 
-  /// A block with a reference system on the Earth has geocentric coordinates, whatever the system
-  /// is.
+  /// A block with any reference system other than a local one has geocentric coordinates.
   void place_on_earth() {
     const std::string reference = chunk_.child("reference").text();
     if (reference.empty() || reference.starts_with("LOCAL_CS")) {

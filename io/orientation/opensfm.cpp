@@ -19,16 +19,16 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Whether a key of a reconstruction, or of one of its shots, takes many bytes and is not needed.
+/// Whether a key of a reconstruction or of one of its shots is large and not needed.
 bool is_key_left_out(const Json& key) {
   constexpr std::array kLeftOut{"points", "biases", "vertices", "faces", "covariance"};
   return std::ranges::any_of(kLeftOut, [&](const char* name) { return key == name; });
 }
 
-/// Parses without the points. A name that stands twice in an object is an error; the parser would
+/// Parses without the points. A duplicate name in an object is an error; the parser itself would
 /// keep the last one.
 Json parse_without_points(const std::string& path) {
-  constexpr int kOfReconstruction = 2;  // within the list and the object
+  constexpr int kOfReconstruction = 2;  // depth: within the list and the object
   const std::string text = read_orientation_text(path, std::uint64_t{4} * kMaxOrientation_bytes);
   if (!is_shallow_json(text)) throw IoError(path, "is nested more than 64 levels deep");
   std::set<std::string> names;
@@ -113,8 +113,8 @@ class OpensfmReader {
     return x;
   }
 
-  /// Focal lengths and the principal point are in units of the longer side, from the middle of the
-  /// image.
+  /// Focal lengths and the principal point are in units of the longer side; the latter is relative
+  /// to the image centre.
   [[nodiscard]] InteriorOrientation interior_of(const std::string& name, const Json& camera) const {
     const std::string type = camera.is_object() && camera.contains("projection_type") &&
                                      camera["projection_type"].is_string()
@@ -176,8 +176,7 @@ class OpensfmReader {
     return image;
   }
 
-  /// Poses are topocentric, about a place that stands in the file or in reference_lla.json beside
-  /// it.
+  /// Poses are topocentric; their origin is given in the file or in reference_lla.json next to it.
   void place_on_earth(const Json& reconstruction, Orientation& orientation) const {
     Json reference = reconstruction.value("reference_lla", Json());
     if (!reference.is_object()) {

@@ -24,7 +24,7 @@ bool is_comment_row(std::string_view text) {
   return text.starts_with('#') || text.starts_with("//");
 }
 
-/// Refuses a table whose first row names other angles.
+/// Refuses a table whose first row names roll and yaw.
 void require_known_angles(const std::string& path, const TextRow& row) {
   const std::string text = lower_case(row.text);
   if (text.find("roll") == std::string::npos || text.find("yaw") == std::string::npos) return;
@@ -33,11 +33,11 @@ void require_known_angles(const std::string& path, const TextRow& row) {
                 "unknown; give omega, phi and kappa");
 }
 
-/// What a table says before its first row of data.
+/// The information before the first row of data.
 struct TableHead {
   std::vector<std::string> columns;  ///< empty without a header
-  std::string text;  ///< names of columns and comments in lower case, where units may stand
-  std::string crs;   ///< of a comment "CoordinateSystem: WKT", as Metashape writes it
+  std::string text;  ///< column names and comments in lower case, which may state units
+  std::string crs;   ///< from a comment "CoordinateSystem: WKT", as written by Metashape
 };
 
 class OpkTable {
@@ -63,7 +63,7 @@ class OpkTable {
   [[nodiscard]] const std::vector<std::string>& cameras() const { return cameras_; }
 
  private:
-  /// The header is the first row that names the columns, a comment or not.
+  /// The header is the first row that names the columns, whether it is a comment or not.
   void read_head() {
     for (auto row = rows_.begin(); row != rows_.end(); ++row) {
       const std::vector<std::string> columns = opk_columns(row->text);
@@ -87,8 +87,7 @@ class OpkTable {
     return head_.columns.empty() ? kUsualColumns : head_.columns;
   }
 
-  /// The fields of a row. A name with blanks that stands first and without quotes is put together
-  /// again.
+  /// The fields of a row. An unquoted name with blanks in the first column is reassembled.
   [[nodiscard]] std::vector<std::string> fields_of(const TextRow& row, const std::string& where) {
     const char separator = separator_of(row.text);
     std::vector<std::string> fields = table_fields(row.text, separator);
@@ -146,7 +145,7 @@ class OpkTable {
   std::vector<std::string> cameras_;
 };
 
-/// The unit that the names of the columns or a comment state.
+/// The unit stated by the column names or a comment.
 std::optional<AngleUnit> stated_unit(const std::string& text) {
   const auto says = [&](std::string_view word) { return text.find(word) != std::string::npos; };
   constexpr std::array kGonWords{"gon]",  "gon)",  "_gon", "grad]",
@@ -164,7 +163,8 @@ const char* angle_unit_name(AngleUnit unit) {
   return unit == AngleUnit::kGon ? "gon" : "rad";
 }
 
-/// The orders that the file and the user leave open. Names in the order omega, phi, kappa state it.
+/// The rotation orders compatible with the file and the user's options. Columns in the order omega,
+/// phi, kappa imply that order.
 std::vector<RotationOrder> possible_orders(const TableHead& head,
                                            const OrientationOptions& options) {
   if (options.rotation) return {*options.rotation};

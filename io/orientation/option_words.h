@@ -8,8 +8,8 @@
 
 namespace ridgeline::io {
 
-// The words in which users state what an orientation leaves open. Each function gives nothing for
-// another word.
+// The words with which users resolve ambiguities of an orientation. The functions return
+// std::nullopt for any other word.
 
 std::optional<AngleUnit> angle_unit_named(const std::string& word);          ///< deg | gon | rad
 std::optional<RotationOrder> rotation_order_named(const std::string& word);  ///< opk | pok

@@ -13,34 +13,33 @@
 
 namespace ridgeline::io {
 
-/// A camera as an orientation file states it. Its pixel (0, 0) is the centre of the top-left pixel,
-/// whatever the file counts from.
+/// A camera from an orientation file. Its pixel (0, 0) is the centre of the top-left pixel,
+/// whatever the file's convention.
 struct Camera {
   std::string name;
   InteriorOrientation interior;
 };
 
 struct OrientedImage {
-  std::string
-      name;  ///< as the file states it, often without folder or extension; never twice in a file
+  std::string name;  ///< as stated in the file, often without folder or extension; unique in a file
   std::optional<std::size_t>
-      camera;  ///< number in Orientation::cameras; none if no file states the camera
+      camera;  ///< index in Orientation::cameras; unset if no file states the camera
   ExteriorOrientation exterior;  ///< in the orientation's reference system
 };
 
-/// What an aerotriangulation found: the cameras and where the images were taken.
+/// The result of an aerotriangulation: cameras and image poses.
 struct Orientation {
   std::string format;  ///< "OpenSfM reconstruction"
   std::vector<Camera> cameras;
   std::vector<OrientedImage> images;
   Crs crs;
-  std::optional<double> ground_height_m;  ///< mean height of the ground, where the file states one
+  std::optional<double> ground_height_m;  ///< mean height of the ground, if the file states it
   std::vector<std::string>
-      decisions;  ///< what the file leaves open and how it was decided, whole sentences
+      decisions;  ///< ambiguities of the file and how they were resolved, as sentences
   std::vector<std::string> warnings;
 };
 
-/// The last part of the name of an image: "D:\\flight\\1.tif" gives "1.tif".
+/// The last part of an image's name: "1.tif" for "D:\\flight\\1.tif".
 std::string file_name_of(const OrientedImage& image);
 
 }  // namespace ridgeline::io

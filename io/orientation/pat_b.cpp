@@ -13,8 +13,8 @@
 namespace ridgeline::io {
 namespace {
 
-/// The three records of an image: number and position, five and four elements of the matrix, row by
-/// row.
+/// Each image has three records: number and position, then five and four elements of the matrix,
+/// row by row.
 constexpr std::size_t kRecords = 3;
 
 class PatBReader {
@@ -78,7 +78,8 @@ Orientation read_pat_b(const std::string& path, const OrientationOptions& option
   Orientation orientation = reader.read();
   if (orientation.images.empty()) return orientation;
   const auto names = transformed(orientation.images, &OrientedImage::name);
-  add_stated_cameras(path, options, names, orientation);  // of several each is named by its image
+  // if there are several cameras, each is named after its image
+  add_stated_cameras(path, options, names, orientation);
   std::vector<RotationReading> readings;
   if (options.matrix.value_or(MatrixDirection::kWorldFromCamera) ==
       MatrixDirection::kWorldFromCamera) {

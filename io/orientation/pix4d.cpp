@@ -40,8 +40,8 @@ class Pix4dReader {
   }
 
  private:
-  /// The head names the rows, up to "camera model m = K [R|-Rt] X"; the model decides how R is
-  /// meant.
+  /// The header names the rows, up to "camera model m = K [R|-Rt] X"; the model determines the
+  /// direction of R.
   [[nodiscard]] std::size_t first_row() const {
     const auto model = std::ranges::find_if(
         rows_, [](const TextRow& row) { return row.text.starts_with("camera model"); });
@@ -67,8 +67,8 @@ class Pix4dReader {
     orientation.images.push_back(std::move(image));
   }
 
-  /// Pixels are counted from the corner of the image: the offset of the principal point in the .cam
-  /// file is from width / 2.
+  /// Pixels are counted from the corner of the image: in the .cam file, the principal point is
+  /// relative to width / 2.
   [[nodiscard]] InteriorOrientation interior_of(std::size_t row, std::string& name) const {
     const std::string where = place(path_, rows_[row].number);
     const std::vector<std::string_view> words = words_of(rows_[row].text);

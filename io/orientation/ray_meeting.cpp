@@ -11,8 +11,7 @@
 namespace ridgeline::io {
 namespace {
 
-/// A ray of an observation and the camera that it was observed with, in coordinates reduced to the
-/// middle of the block.
+/// The ray of an observation and its camera, in coordinates relative to the centre of the block.
 struct ObservedRay {
   Eigen::Vector3d centre, direction;
   Eigen::Vector2d ideal_px;
@@ -49,7 +48,7 @@ Eigen::Vector3d meeting_of(std::span<const ObservedRay> rays) {
   return normal_matrix.ldlt().solve(right_side);
 }
 
-/// A point behind the camera is infinitely far from what the camera saw.
+/// For a point behind the camera the distance is infinite.
 double distance_px(const ObservedRay& ray, const Eigen::Vector3d& x_in_local) {
   const Eigen::Vector3d seen = ray.image_from_local * x_in_local.homogeneous();
   if (!(seen.z() > 0.0)) return std::numeric_limits<double>::infinity();

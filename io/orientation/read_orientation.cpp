@@ -22,8 +22,8 @@ namespace ridgeline::io {
 namespace fs = std::filesystem;
 namespace {
 
-/// Whether the first row is of numbers alone and long enough for a table whose images have numbers
-/// for names.
+/// Whether the first row consists only of numbers and is long enough for a table whose image names
+/// are numbers.
 bool is_numbered_table(std::string_view start) {
   const std::vector<TextRow> rows = rows_of(start);
   if (rows.empty()) return false;
@@ -66,7 +66,7 @@ Orientation read_by_format(const std::string& path, const OrientationOptions& op
   }
 }
 
-/// Nearest-rotation residual that rounding to five digits leaves.
+/// Deviation from a rotation matrix that rounding to five digits can cause.
 constexpr double kRotationTolerance = 1e-4;
 
 void check_pose(const std::string& path, const OrientedImage& image) {
@@ -110,7 +110,7 @@ void check_cameras(const std::string& path, const Orientation& orientation) {
   }
 }
 
-/// Declares the system of a file that states none, and refuses coordinates in degrees.
+/// Assigns the user's system to a file that states none, and refuses coordinates in degrees.
 void settle_crs(const std::string& path,
                 const OrientationOptions& options,
                 Orientation& orientation) {

@@ -14,7 +14,7 @@
 namespace ridgeline::io {
 namespace {
 
-/// The next sibling from `node` on that is an element or attribute of a name.
+/// The first node, starting with `node` and its following siblings, that has this type and name.
 const CPLXMLNode* find_from(const CPLXMLNode* node, CPLXMLNodeType type, std::string_view name) {
   while (node != nullptr && (node->eType != type || name != node->pszValue)) node = node->psNext;
   return node;

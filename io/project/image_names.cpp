@@ -16,7 +16,8 @@ namespace {
 
 std::string last_part(const std::string& name) { return name.substr(name.find_last_of("/\\") + 1); }
 
-/// The last part of a name without the extension, which begins with a letter: "7.12" has none.
+/// The last part of a name without its extension. An extension begins with a letter: "7.12" has
+/// none.
 std::string bare_name(const std::string& name) {
   const std::string last = last_part(name);
   const std::size_t dot = last.rfind('.');
@@ -25,12 +26,13 @@ std::string bare_name(const std::string& name) {
   return has_extension ? last.substr(0, dot) : last;
 }
 
-/// A name as it is looked for: whole, then its last part, then that without the extension.
+/// The forms in which a name is looked up: the full name, its last part, and the last part without
+/// its extension.
 std::array<std::string, 3> forms_of(const std::string& name) {
   return {name, last_part(name), bare_name(name)};
 }
 
-/// The names most like `name`, the nearest first.
+/// The names most similar to `name`, the most similar first.
 std::vector<std::string_view> nearest_names(const std::vector<std::string>& names,
                                             const std::string& name) {
   constexpr std::size_t kMaxNames = 3;

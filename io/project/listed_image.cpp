@@ -116,13 +116,13 @@ PatchImage ListedImage::oriented(const PatchOrientation& orientation) const {
   }
 }
 
-/// Whether window_px is [column, row, columns, rows], what is read of a file that is the frame, and
-/// not [column, row], where a file that is cut out begins in the frame.
+/// Whether window_px is [column, row, columns, rows], the part to be read of a file that shows the
+/// whole frame, rather than [column, row], the position of a cut-out file in the frame.
 bool ListedImage::states_what_is_read() const {
   return map_.has("window_px") && map_.node("window_px").size() == 4;
 }
 
-/// Where the file begins in the frame.
+/// Position of the file's top-left pixel in the frame.
 Eigen::Vector2d ListedImage::corner_px() const {
   if (!map_.has("window_px") || states_what_is_read()) return Eigen::Vector2d::Zero();
   const std::vector<double> corner = map_.numbers("window_px", 2);

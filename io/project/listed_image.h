@@ -10,18 +10,18 @@
 
 namespace ridgeline::io {
 
-/// An image that a patch file lists under `images`; read_patch() names its keys. Functions throw
-/// IoError with the line for values that cannot be.
+/// An image that a patch file lists under `images`, with the keys described at read_patch(). The
+/// functions throw IoError with the line for invalid values.
 class ListedImage {
  public:
-  /// `path`: of the patch file, for messages; files are relative to `folder`.
+  /// `path`: the patch file, for messages; files are relative to `folder`.
   ListedImage(const std::string& path, std::filesystem::path folder, const YAML::Node& node);
 
-  /// Whether the image states no camera of its own.
+  /// Whether the image has no camera of its own and takes it from the orientation.
   [[nodiscard]] bool takes_orientation() const;
   [[nodiscard]] ImageToOrient to_orient() const;
 
-  /// `orientation`: the one of the patch, or null.
+  /// `orientation`: the orientation of the patch, or null.
   [[nodiscard]] PatchImage read(const PatchOrientation* orientation) const;
 
  private:

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<const char*, 4> kEnds{"x1_px", "y1_px", "x2_px", "y2_px"};
 
-/// Refuses a table with a pair of ids that occurs twice, by an IoError.
+/// Throws IoError for a table in which a pair of ids occurs twice.
 class UniquePairs {
  public:
   void add(const CsvTable& table, std::size_t row, const Correspondence& match) {

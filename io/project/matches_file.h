@@ -12,26 +12,26 @@
 namespace ridgeline::io {
 
 /// Writes `left_id,right_id,score,votes,matcher`, one row per match; ids are indices of the segment
-/// files. Whole or not at all. Throws IoError.
+/// files. The file is written completely or not at all. Throws IoError if it cannot be written.
 void write_matches(const std::string& path, std::span<const Correspondence> matches);
 
-/// Reads matches.csv; columns in any order, of which left_id and right_id must be there, others are
-/// passed over. Throws IoError naming the row for a missing column, an id that is no index or below
-/// 0, and for a pair of ids that occurs twice.
+/// Reads matches.csv; columns may be in any order, left_id and right_id are required, unknown
+/// columns are ignored. Throws IoError naming the row for a missing column, an id that is not an
+/// index (0, 1, ...), and a duplicate pair of ids.
 std::vector<Correspondence> read_matches(const std::string& path);
 
-/// What a reference file holds: edges, or pairs of segment ids.
+/// The content of a reference file: edges, or pairs of segment ids.
 using ReferenceMatches = std::variant<std::vector<ReferenceEdge>, std::vector<Correspondence>>;
 
-/// Reads reference matches, told by their header: edges
+/// Reads reference matches; the header determines their form: edges
 ///   id,kind,left_x1_px,left_y1_px,left_x2_px,left_y2_px,right_x1_px,...,right_y2_px
-/// (kind is optional; so is verdict, `correct`, `missed` or, for a wrong pair, `false`: what the
-/// review in the report exports), or pairs left_id,right_id of the segments to be judged. Throws
-/// IoError naming the row for missing columns, values that are no numbers and other verdicts.
+/// (kind is optional; so is verdict, which the review in the report exports: `correct`, `missed`
+/// or, for a wrong pair, `false`), or pairs left_id,right_id of the segments to be judged. Throws
+/// IoError naming the row for missing columns, values that are not numbers and other verdicts.
 ReferenceMatches read_reference_matches(const std::string& path);
 
-/// Writes reference edges as read_reference_matches() reads them, to thousandths of a pixel. Throws
-/// IoError.
+/// Writes reference edges in the form that read_reference_matches() reads, to thousandths of a
+/// pixel. Throws IoError if the file cannot be written.
 void write_reference_edges(const std::string& path, std::span<const ReferenceEdge> edges);
 
 }  // namespace ridgeline::io

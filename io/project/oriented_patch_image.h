@@ -8,9 +8,9 @@
 
 namespace ridgeline::io {
 
-/// An image of an orientation as an image of a patch. `path` is the image file, which shows the
-/// frame from `window_px` on; `id` the last part of the image's name without its extension. Throws
-/// std::invalid_argument if the image has no camera.
+/// Converts an image of an orientation to an image of a patch. `path` is the image file, whose
+/// top-left pixel is `window_px` in the frame; the id is the last part of the image's name without
+/// its extension. Throws std::invalid_argument if the image has no camera.
 PatchImage oriented_patch_image(const Orientation& orientation,
                                 const OrientedImage& image,
                                 const std::string& path,

@@ -20,7 +20,7 @@ std::string resolved(const fs::path& folder, const std::string& file) {
   return (folder / file).lexically_normal().string();
 }
 
-/// What a word of the patch file means. Throws IoError for a word that is not known.
+/// Interprets a word of the patch file. Throws IoError for an invalid word.
 template <typename Meaning>
 auto stated(const YamlMap& patch, const char* key, const Meaning& meaning, const char* known)
     -> decltype(meaning("")) {
@@ -31,7 +31,7 @@ auto stated(const YamlMap& patch, const char* key, const Meaning& meaning, const
   return value;
 }
 
-/// The files of the images of an orientation, where the patch has them whole.
+/// The files of the images of an orientation, where they show the whole frame.
 ImageFiles files_of(const Orientation& orientation, const std::vector<ImageToOrient>& images) {
   ImageFiles files(orientation.images.size());
   const ImageNames names(orientation);
@@ -40,7 +40,7 @@ ImageFiles files_of(const Orientation& orientation, const std::vector<ImageToOri
     try {
       files[names.at(image.name)] = image.path;
     } catch (const std::invalid_argument&) {
-      continue;  // oriented() says so
+      continue;  // oriented() reports this
     }
   }
   return files;
@@ -50,8 +50,8 @@ std::vector<std::string> with_path(const std::string& path, const std::vector<st
   return transformed(texts, [&](const std::string& text) { return path + ": " + text; });
 }
 
-/// Images of one id, which have one name in different folders, get the whole name as id, with
-/// underscores for the slashes.
+/// Images with the same id, i.e. the same name in different folders, get the full name as id, with
+/// underscores for slashes.
 void tell_ids_apart(const std::vector<std::string>& names, std::vector<PatchImage>& images) {
   std::map<std::string, int> n_of_id;
   for (const PatchImage& image : images) ++n_of_id[image.id];

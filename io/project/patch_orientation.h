@@ -16,46 +16,48 @@ namespace ridgeline::io {
 
 /// An image of a patch that takes its camera and pose from an orientation.
 struct ImageToOrient {
-  std::string name;  ///< as ImageNames takes it
+  std::string name;  ///< a name for ImageNames to look up
   std::string path;
-  bool is_whole = true;  ///< the file shows the whole frame
+  bool is_whole = true;  ///< whether the file shows the whole frame
 };
 
-/// Files and the images of an orientation that they show.
+/// Files assigned to the images of an orientation that they show.
 struct OrientedFiles {
   std::vector<PatchImage> images;    ///< in the order of the files
-  std::vector<std::string> unknown;  ///< files that show no image of the orientation
+  std::vector<std::string> unknown;  ///< files that match no image of the orientation
   std::vector<PatchImage>
-      without_file;  ///< images with a camera that no file shows; they have no path
+      without_file;  ///< images that have a camera but no file; their path is empty
 };
 
-/// The orientation that a patch file names.
+/// The orientation that a patch file refers to.
 class PatchOrientation {
  public:
-  /// Reads it as the patch's keys orientation, cameras, angles, rotation and matrix say; files are
-  /// relative to `folder`. `crs`: what the patch states, perhaps nothing. `images` and `find` serve
-  /// to decide what the file leaves open. Throws IoError as read_orientation() does, for words that
-  /// are not known, and if both reference systems are stated and differ.
+  /// Reads it as specified by the patch's keys orientation, cameras, angles, rotation and matrix;
+  /// files are relative to `folder`. `crs`: the patch's own CRS, which may be unknown. `images` and
+  /// `find` are used to resolve ambiguities of the file. Throws IoError under the same conditions
+  /// as read_orientation(), for invalid words, and if the reference systems of patch and
+  /// orientation are both known but differ.
   PatchOrientation(const YamlMap& patch,
                    const std::filesystem::path& folder,
                    const Crs& crs,
                    const std::vector<ImageToOrient>& images,
                    const FindPatchPoints& find);
 
-  /// The image with its camera. Throws std::invalid_argument, which names the orientation, if that
-  /// does not have the image or its camera.
+  /// The image with its camera. Throws std::invalid_argument, naming the orientation, if the
+  /// orientation lacks the image or its camera.
   [[nodiscard]] PatchImage oriented(const ImageToOrient& image,
                                     const Eigen::Vector2d& window_px) const;
 
-  /// The images that whole files show, by their names. Throws std::invalid_argument, which names
-  /// the orientation, if a file may be several images, or an image may be several files or has no
-  /// camera.
+  /// Assigns files that show whole frames to images by name. Throws std::invalid_argument, naming
+  /// the orientation, if a file matches several images or several files match one image, or if a
+  /// matched image has no camera.
   [[nodiscard]] OrientedFiles images_of(const std::vector<std::string>& files) const;
 
   [[nodiscard]] const Crs& crs() const { return orientation_.crs; }
-  /// The orientation and the file of cameras; of a COLMAP model its files of cameras and images.
+  /// The files of the orientation and the camera file; for a COLMAP model, its files of cameras and
+  /// images.
   [[nodiscard]] std::vector<std::string> files() const;
-  /// Decisions and warnings, with the orientation in front.
+  /// Decisions and warnings, each prefixed with the orientation's path.
   [[nodiscard]] std::vector<std::string> decisions() const;
   [[nodiscard]] std::vector<std::string> warnings() const;
 

@@ -22,8 +22,8 @@
 namespace ridgeline::io {
 namespace {
 
-/// Whether two projection centres are in one place, which is a copied orientation and no short
-/// base: a millimetre is far below any stereo base.
+/// Whether two projection centres coincide, which indicates a copied orientation rather than a
+/// short base: a millimetre is far below any stereo base.
 bool in_one_place(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   constexpr double kRelativeTolerance = 1e-9;  // a few millimetres in six million metres
   return (a - b).norm() <= kRelativeTolerance * a.norm();
@@ -127,8 +127,8 @@ class PatchReader {
     return map_.has(key) ? std::optional(resolved(map_.text(key))) : std::nullopt;
   }
 
-  /// Reads the orientation if the file names one. The project takes its reference system if it
-  /// states none itself.
+  /// Reads the orientation if the file names one. The project adopts its reference system if it has
+  /// none of its own.
   void read_orientation(const FindPatchPoints& find, ProjectFile& project) {
     if (!map_.has("orientation")) {
       for (const char* key : {"cameras", "angles", "rotation", "matrix"}) {
@@ -237,7 +237,7 @@ class PatchReader {
       project.images.push_back(image.read(orientation_ ? &*orientation_ : nullptr));
   }
 
-  /// The files of a folder or pattern, without those that the orientation does not know.
+  /// Reads the files of a folder or pattern, except those that the orientation does not contain.
   void read_image_files(ProjectFile& project) const {
     if (!orientation_)
       map_.fail("images", "images given by folder or pattern require an orientation");
@@ -279,8 +279,7 @@ class PatchReader {
     return images;
   }
 
-  /// Images of which some are still to be chosen may share places, as those of a camera with
-  /// several heads do.
+  /// Candidate images may share positions, as those of a multi-head camera do.
   void check_images(const ProjectFile& project) const {
     const char* key = map_.has("images") ? "images" : "colmap";
     const std::vector<PatchImage>& images = project.images;
@@ -308,7 +307,7 @@ class PatchReader {
     }
   }
 
-  /// The files of segments by the ids of their images.
+  /// Reads the segment files, given by image id.
   void read_segments(ProjectFile& project) const {
     double sigma_px = kDefaultSegmentSigma_px;
     if (map_.has("segment_sigma_px")) {
@@ -335,7 +334,7 @@ class PatchReader {
 
   std::string path_;
   std::filesystem::path folder_;
-  bool is_block_;  ///< else the file is that of a patch
+  bool is_block_;  ///< otherwise a patch file
   YamlMap map_;
   std::optional<PatchOrientation> orientation_;
 };

@@ -18,7 +18,7 @@ constexpr std::string_view kGuided = "guided";
 constexpr std::string_view kScale = "scale_px";
 constexpr std::array<std::string_view, 4> kEndNames{"x1", "y1", "x2", "y2"};
 
-/// A number of a segment by the name of its column. T: EdgeSegment or const EdgeSegment.
+/// Visits the numbers of a segment with their column names. T: EdgeSegment or const EdgeSegment.
 template <typename T, typename Visitor>
 void for_each_geometry_column(T& s, Visitor&& visit) {
   visit("x1_px", s.line.segment.start.x());
@@ -53,9 +53,9 @@ void for_each_appearance_column(T& s, Visitor&& visit) {
   for_each_flank_column(s.right, "right", visit);
 }
 
-/// Covariance of (x1, y1, x2, y2). Along the line, each end moves by an e of its own with variance
-/// sigma_e^2. Across the line, an end at t from the centroid moves by q + t phi, and both ends
-/// share q and phi.
+/// Covariance of (x1, y1, x2, y2). Along the line, each end moves by its own e with variance
+/// sigma_e^2. Across the line, an end at distance t from the centroid moves by q + t phi, where
+/// both ends share q and phi.
 Eigen::Matrix4d endpoint_covariance(const UncertainSegment2& s) {
   const Eigen::Vector2d u = (s.segment.end - s.segment.start).normalized();
   const Eigen::Vector2d n(-u.y(), u.x());
@@ -138,7 +138,7 @@ Eigen::Vector2d end_of(const CsvTable& table,
                        std::size_t row,
                        const std::array<std::string, 2>& names,
                        const std::optional<Eigen::Vector2i>& size_px) {
-  constexpr double kBeyond_px = 5.0;  // detectors carry edges beyond the border of the image
+  constexpr double kBeyond_px = 5.0;  // detectors extend edges beyond the border of the image
   Eigen::Vector2d end;
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
     const std::string& name = names[static_cast<std::size_t>(axis)];

@@ -6,8 +6,8 @@
 
 namespace ridgeline::io {
 
-/// The reference system that a file states by its key `crs`; unknown without the key. Throws
-/// IoError with the line for one that cannot be understood.
+/// The reference system given by a file's key `crs`; unknown without the key. Throws IoError with
+/// the line if the definition cannot be interpreted.
 Crs stated_crs(const YamlMap& file);
 
 }  // namespace ridgeline::io

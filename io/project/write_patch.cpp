@@ -56,7 +56,7 @@ void emit_matrix(const PatchImage& image, YAML::Emitter& yaml) {
   yaml << YAML::EndSeq;
 }
 
-/// What is read of the file, or where it is cut out of the frame.
+/// Writes the part of the file to be read, or the file's position in the frame.
 void emit_window(const PatchImage& image, YAML::Emitter& yaml) {
   if (image.window) {
     const Window& w = *image.window;
@@ -94,7 +94,7 @@ void emit(const char* key, const std::optional<std::string>& file, YAML::Emitter
   if (file) yaml << YAML::Key << key << YAML::Value << *file;
 }
 
-/// The files of segments that another detector found, by image.
+/// Writes the files with another detector's segments, by image.
 void emit_segments(const PatchFile& patch, YAML::Emitter& yaml) {
   const auto with_segments = std::ranges::find_if(
       patch.images, [](const auto& image) { return image.segments.has_value(); });
@@ -105,7 +105,7 @@ void emit_segments(const PatchFile& patch, YAML::Emitter& yaml) {
   yaml << YAML::Key << "segment_sigma_px" << YAML::Value << with_segments->segment_sigma_px;
 }
 
-/// As bounds.
+/// Writes the area as bounds.
 void emit_area(const std::vector<Eigen::Vector2d>& area_m, YAML::Emitter& yaml) {
   if (area_m.empty()) return;
   const Eigen::AlignedBox2d box = box_around(area_m);

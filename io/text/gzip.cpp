@@ -31,7 +31,7 @@ Inflated inflated(std::string_view bytes, std::size_t most_bytes) {
     const uInt room = stream.avail_out;
     state = inflate(&stream, Z_NO_FLUSH);
     result.text.append(buffer.data(), room - stream.avail_out);
-    // A file may be several that were compressed one by one.
+    // A file may consist of several members that were compressed separately.
     const bool goes_on = state == Z_STREAM_END && stream.avail_in + bytes.size() > 0;
     if (goes_on) state = inflateReset(&stream);
   }

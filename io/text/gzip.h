@@ -7,11 +7,11 @@
 
 namespace ridgeline::io {
 
-/// Whether bytes begin as those of gzip.
+/// Whether bytes begin with the gzip signature.
 bool is_gzip(std::string_view bytes);
 
-/// The text that gzip compressed, or its first `most_bytes`. It ends where the bytes end, or are no
-/// longer gzip's: `is_whole` then stays false.
+/// The decompressed text, or its first `most_bytes`. If the bytes end early or become invalid, the
+/// text stops there and `is_whole` is false.
 struct Inflated {
   std::string text;
   bool is_whole = false;

@@ -9,7 +9,7 @@ bool is_shallow_json(std::string_view text) {
   bool in_string = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
-    if (in_string && c == '\\') ++i;  // the character behind a backslash ends no string
+    if (in_string && c == '\\') ++i;  // the character after a backslash does not end the string
     if (c == '"') in_string = !in_string;
     if (in_string) continue;
     if (c == '[' || c == '{') ++depth;

@@ -8,14 +8,14 @@
 
 namespace ridgeline::io {
 
-/// Whether objects and arrays lie within each other at most 64 deep. Copies and texts of JSON are
-/// recursive, so the depth of a file is bounded before it is parsed.
+/// Whether objects and arrays are nested at most 64 deep. Copying and serialising JSON is
+/// recursive, so the depth of a file is checked before it is parsed.
 bool is_shallow_json(std::string_view text);
 
-/// The first characters of a value as JSON, for a message; bytes that are no UTF-8 are replaced.
+/// The first characters of a value as JSON, for a message; bytes that are not UTF-8 are replaced.
 std::string excerpt(const nlohmann::json& value);
 
-/// A value as JSON text; bytes that are no UTF-8 are replaced.
+/// A value as JSON text; bytes that are not UTF-8 are replaced.
 std::string json_text(const nlohmann::json& value);
 
 }  // namespace ridgeline::io

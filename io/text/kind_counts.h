@@ -8,7 +8,7 @@
 
 namespace ridgeline::io {
 
-/// A kind of what a line file holds beside 3D lines, as messages name it.
+/// The name, in messages, of a kind of content other than 3D lines in a line file.
 struct LeftOutKind {
   std::string_view one, several;
 };
@@ -34,7 +34,7 @@ class KindCounts {
   void add(const KindCounts& others);
   [[nodiscard]] bool empty() const { return counts_.empty(); }
 
-  /// The counts as text, "7 points, 1 polygon without heights"; kinds in the order of their names.
+  /// The counts as text, "7 points, 1 polygon without heights"; kinds in alphabetical order.
   [[nodiscard]] std::string text() const;
 
  private:

@@ -6,9 +6,9 @@
 
 namespace ridgeline::io {
 
-/// The name in `known` that becomes `name` by the fewest letters put in, left out, replaced or
-/// swapped with their neighbour; if several do, the first of them. Throws std::invalid_argument if
-/// `known` is empty.
+/// The name in `known` that becomes `name` by the fewest insertions, deletions, replacements or
+/// swaps of adjacent letters; the first one in a tie. Throws std::invalid_argument if `known` is
+/// empty.
 std::string_view nearest_name(std::string_view name, const std::vector<std::string_view>& known);
 
 }  // namespace ridgeline::io

@@ -38,7 +38,7 @@ std::string_view dimensions_of(std::string_view lower) {
   return {};
 }
 
-/// A word of WKT, with blanks around the dimensions that it ends in.
+/// A word of WKT, with blanks around any dimensions at its end.
 std::string standard_word(std::string_view word) {
   const std::string lower = lower_case(word);
   if (lower == "z" || lower == "m" || lower == "zm") return std::string(word) + " ";
@@ -56,7 +56,7 @@ bool begins_as_wkt(std::string_view text) {
   if (lower.starts_with("srid=")) return text.find(';') != std::string_view::npos;
   const std::string name = lower.substr(0, word_length(lower));
   if (!is_geometry_name(name.substr(0, name.size() - dimensions_of(name).size()))) return false;
-  // The name alone may also begin the header of a table, "point,x,y".
+  // A bare name may also be the start of a table header, "point,x,y".
   const std::string_view rest = trimmed(text.substr(name.size()));
   const std::string next = lower_case(rest.substr(0, word_length(rest)));
   return rest.starts_with('(') || next == "z" || next == "m" || next == "zm" || next == "empty";
@@ -66,7 +66,7 @@ std::string standard_wkt(std::string_view text) {
   std::string wkt;
   while (!text.empty()) {
     const std::size_t n_letters = word_length(text);
-    // the exponent of a number is one letter that no blank precedes
+    // the exponent of a number is one letter without a preceding blank
     const bool is_word = n_letters > 1 || (n_letters == 1 && wkt.ends_with(' '));
     const std::size_t n = is_word ? n_letters : 1;
     wkt += is_word ? standard_word(text.substr(0, n)) : std::string(text.substr(0, n));

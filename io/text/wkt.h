@@ -6,11 +6,10 @@
 
 namespace ridgeline::io {
 
-/// Whether a text begins with the name of a geometry as WKT has it, or with "SRID=...;" (EWKT); in
-/// any case.
+/// Whether a text begins with a WKT geometry name or with "SRID=...;" (EWKT), ignoring case.
 bool begins_as_wkt(std::string_view text);
 
-/// WKT as OGC has it, "LINESTRING Z (", from what other programs write: "LineStringZ (",
+/// Converts variants written by other programs to OGC's WKT, "LINESTRING Z (": "LineStringZ (",
 /// "LINESTRINGZ(", "linestring zm(".
 std::string standard_wkt(std::string_view text);
 

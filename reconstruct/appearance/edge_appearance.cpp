@@ -9,10 +9,10 @@ namespace ridgeline::reconstruct {
 namespace {
 
 /// tan(35 deg), a common slope of roofs. If the true slope differs by 20 degrees, a strip 8 px wide
-/// is sheared by less than a pixel at a base to height ratio of 0.26.
+/// is sheared by less than a pixel at a base-to-height ratio of 0.26.
 constexpr double kSlope = 0.7;
 
-/// The profile across the line: 4 px to both sides in steps of half a pixel.
+/// The profile across the line: 4 px on each side in steps of half a pixel.
 constexpr StripGrid kProfileGrid{.first_offset_px = -4.0, .offset_step_px = 0.5, .n_offsets = 17};
 
 std::optional<double> profile_ncc(const ImagePair& images, const StripFrame& frame) {

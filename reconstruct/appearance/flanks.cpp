@@ -6,10 +6,10 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kNearest_px = 1.5;  ///< middle of the first pixel of the strip, which starts at 1
+constexpr double kNearest_px = 1.5;  ///< centre of the first pixel of the strip, which starts at 1
 constexpr int kNumSamplesAcross = 5;
 
-/// Sum of the nearest pixels' values.
+/// Sum of the values of nearest pixels.
 struct ColourSum {
   std::array<double, 4> sum{};
   int n = 0;

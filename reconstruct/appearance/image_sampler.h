@@ -18,8 +18,8 @@ class ImageSampler {
 
   [[nodiscard]] int n_bands() const { return n_bands_; }
 
-  /// Returns false and leaves `colour` untouched if x lies outside of the centres of the border
-  /// pixels.
+  /// Returns false and leaves `colour` unchanged if x lies outside the rectangle through the
+  /// centres of the border pixels.
   [[nodiscard]] bool sample(const Eigen::Vector2d& x, Colour& colour) const {
     if (!(x.x() >= 0.0 && x.y() >= 0.0 && x.x() <= image_->cols - 1.0 &&
           x.y() <= image_->rows - 1.0)) {
@@ -49,8 +49,8 @@ class ImageSampler {
   }
 
  private:
-  /// The number of bands is known to the compiler, so that this innermost loop of matching becomes
-  /// a straight run.
+  /// The number of bands is a template parameter so that the compiler can unroll this innermost
+  /// loop of the matching.
   template <int kBands>
   static void blend(const float* upper, const float* lower, float fx, float fy, Colour& colour) {
     for (int band = 0; band < kBands; ++band) {

@@ -8,10 +8,10 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kColourScale = 0.08;  // in units of the range of grey values
-constexpr double kEndScale_px = 3.0;   // end points along a line are this uncertain
+constexpr double kEndScale_px = 3.0;   // uncertainty of end points along a line
 
-/// Mean over the two ends of exp(-gap / scale). The gap is the length by which one segment outlasts
-/// the other.
+/// Mean over the two ends of exp(-gap / scale). The gap is the length by which one segment extends
+/// beyond the other.
 double ends_agreement(const EdgePair& edges) {
   const auto& [left, right, overlap] = edges;
   const double left_px = length(left.line.segment);
@@ -39,8 +39,7 @@ double norm(const Colour& c) {
   return std::sqrt(squared);
 }
 
-/// Colours of a right segment's flanks, by the side of the left segment's direction that they lie
-/// on.
+/// Colours of a right segment's flanks, ordered as left and right of the left segment.
 struct Sides {
   Colour left, right;
 };

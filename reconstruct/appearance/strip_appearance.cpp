@@ -9,10 +9,11 @@ namespace {
 
 constexpr double kAlongStep_px = 1.5;
 constexpr int kMinSamplesAlong = 4;
-/// Variance of the grey values that noise causes. It keeps noise from being correlated.
+/// Variance of the grey values due to noise. It prevents noise from contributing to the
+/// correlation.
 constexpr double kNoiseVariance = 0.008 * 0.008;
 
-/// The shift from ideal to file pixels at a parameter of a segment.
+/// The shift from ideal to file pixels at a given parameter of a segment.
 Eigen::Vector2d file_shift(const EdgeSegment& segment, double t) {
   return point_at(segment.in_image, t) - point_at(segment.line.segment, t);
 }
@@ -72,7 +73,8 @@ StripFrame strip_frame(const EdgePair& edges, int most_along) {
     const double on_left = overlap.on_left[0] + share * overlap.share_of_left();
     const double on_right = overlap.right_of(on_left);
     frame.on_left.push_back(point_at(left.in_image, on_left));
-    // The shift may be taken at the nearest end, because it hardly changes along a segment.
+    // Outside the segment, the shift of the nearest end is used, because the shift hardly changes
+    // along a segment.
     frame.on_right.push_back(point_at(right.line.segment, on_right) +
                              file_shift(right, std::clamp(on_right, 0.0, 1.0)));
   }

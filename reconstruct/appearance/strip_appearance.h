@@ -13,7 +13,7 @@
 
 namespace ridgeline::reconstruct {
 
-/// Brings the colours of the right image to those of the left one, per band: gain x + offset.
+/// Maps colours of the right image to those of the left one, per band: gain x + offset.
 struct Radiometry {
   Colour gain{1.0F, 1.0F, 1.0F, 1.0F};
   Colour offset{};
@@ -26,26 +26,26 @@ struct Radiometry {
   }
 };
 
-/// A pair of images with what it takes to compare them.
+/// A pair of images with the data needed to compare them.
 struct ImagePair {
   ImageSampler left, right;
   Radiometry radiometry;
 };
 
-/// How similar the strips along one side of a line are in the two images.
+/// Similarity of the strips along one side of a line in the two images.
 struct SideAppearance {
-  double ncc = 0.0;  ///< -1..1, all bands together, damped if there is no texture
+  double ncc = 0.0;  ///< -1..1, over all bands, damped if there is little texture
   /// Difference of the mean colours, root mean square over the bands.
   double colour_difference = 0.0;
 
-  /// How well the mean colours agree: 1 for equal colours, 1/e for a difference of a twentieth of
-  /// the grey values.
+  /// Agreement of the mean colours: 1 for equal colours, 1/e for a difference of a twentieth of the
+  /// range of grey values.
   [[nodiscard]] double colour_agreement() const;
-  /// How well texture and colour agree together, 0..2.
+  /// Combined agreement of texture and colour, 0..2.
   [[nodiscard]] double agreement() const { return std::max(0.0, ncc) + colour_agreement(); }
 };
 
-/// How densely and how far from the line the strips are sampled.
+/// Sampling density and extent of the strips.
 struct StripGrid {
   /// Distance of the first sample from the line, clear of the blurred edge.
   double first_offset_px = 1.5;
@@ -56,51 +56,50 @@ struct StripGrid {
   bool with_profile = true;
 };
 
-/// Where the rows of a strip start on the line in both images, in file pixels, and the vectors that
-/// lead one step to the side: a pixel of the reduced image in which the softer one of both edges
-/// was found.
+/// The points on the line at which the rows of a strip start in both images, in file pixels, and
+/// the vectors of one step to the side: a pixel of the reduced image in which the softer of the two
+/// edges was found.
 struct StripFrame {
   std::vector<Eigen::Vector2d> on_left, on_right;
   Eigen::Vector2d side_in_left, side_in_right;
-  double scale_px = 1.0;  ///< of the softer edge: pixels that a grid counts as one
+  double scale_px = 1.0;  ///< of the softer edge: size of a grid step in image pixels
 };
 
-/// A left and a right segment that may show one edge, and their overlap.
+/// A left and a right segment that may show the same edge, and their overlap.
 struct EdgePair {
   const EdgeSegment& left;
   const EdgeSegment& right;
   const EpipolarOverlap& overlap;
 };
 
-/// The rows of the strips along the epipolar overlap of two segments, every 1.5 steps, but at least
-/// 4 and at most `most_along`. The caller sets `side_in_right`.
+/// The rows of the strips along the epipolar overlap of two segments, one every 1.5 steps, but at
+/// least 4 and at most `most_along` rows. The caller sets `side_in_right`.
 StripFrame strip_frame(const EdgePair& edges, int most_along);
 
-/// Colours beside a line, row by row along it. Samples outside of the image have no colour.
+/// Colours next to a line, row by row along it. Samples outside the image have no colour.
 struct Strip {
   std::vector<Colour> colours;
   std::vector<char> is_inside;
 };
 
 /// Samples the colours of a strip.
-/// @param side  the vector that leads one pixel away from the line
+/// @param side  vector of one pixel away from the line
 Strip sample_strip(const ImageSampler& image,
                    std::span<const Eigen::Vector2d> on_line,
                    const Eigen::Vector2d& side,
                    const StripGrid& grid);
 
-/// Mean colours of a strip at each offset from the line; empty if a sample lies outside of the
-/// image.
+/// Mean colours of a strip at each offset from the line; empty if a sample lies outside the image.
 std::vector<Colour> mean_profile(const Strip& strip, const StripGrid& grid);
 
-/// Compares strips of one grid. Nothing if more than half of the samples lie outside of one of the
-/// images.
+/// Compares strips of the same grid. std::nullopt if more than half of the samples lie outside one
+/// of the images.
 std::optional<SideAppearance> compare(const Strip& left,
                                       const Strip& right,
                                       const Radiometry& radiometry,
                                       int n_bands);
 
-/// Sums of a normalised cross correlation of one band.
+/// Sums for the normalised cross correlation of one band.
 struct BandSums {
   double a = 0.0, b = 0.0, aa = 0.0, bb = 0.0, ab = 0.0;
   void add(double x, double y) {
@@ -111,10 +110,10 @@ struct BandSums {
     ab += x * y;
   }
 };
-/// Normalised cross correlation of all bands together. `noise_variance` of a band damps it if there
-/// is little texture. It is 0 if a side has no variance at all.
+/// Normalised cross correlation over all bands. The noise variance per band, `noise_variance`,
+/// damps it if there is little texture. The result is 0 if a side has no variance at all.
 double correlation(std::span<const BandSums> bands, int n_samples, double noise_variance = 0.0);
-/// Normalised cross correlation of all bands together of two profiles of one length.
+/// Normalised cross correlation over all bands of two profiles of the same length.
 double correlation(std::span<const Colour> a,
                    std::span<const Colour> b,
                    double noise_variance = 0.0);

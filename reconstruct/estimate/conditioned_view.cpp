@@ -93,8 +93,8 @@ ConditionedViews condition(std::span<const ProjectionMatrix> cameras,
   check(frames.object.centre_m.allFinite(), "condition: the rays of the patch centres are parallel",
         ", must intersect");
 
-  // The scale is what one radius of the patch in the first image spans at the distance of the
-  // centre.
+  // The scale is the length that one radius of the patch in the first image spans at the distance
+  // of the centre.
   const Eigen::Vector2d beside =
       images[first].centre_px + Eigen::Vector2d(images[first].scale_px, 0.0);
   const double sine = of_first.direction.cross(ray(cameras[first], beside).direction).norm();

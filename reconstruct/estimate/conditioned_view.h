@@ -25,17 +25,17 @@ struct ConditionedView {
 /// homogeneous vector and of the matrix (Hartley and Zisserman 2004, result 6.1).
 bool in_front(const ConditionedView& view, const Eigen::Vector4d& point);
 
-/// The plane that an image shows as the line through x normal to `along`; its vector scales with
-/// the length of `along`.
+/// The plane whose image is the line through x normal to `along`; its vector scales with the length
+/// of `along`.
 inline Eigen::Vector4d plane_across(const ProjectionMatrix& image_from_object,
                                     const Eigen::Vector2d& x,
                                     const Eigen::Vector2d& along) {
   return image_from_object.transpose() * Eigen::Vector3d(along.x(), along.y(), -along.dot(x));
 }
 
-/// An image segment as the estimation uses it; all members in the conditioned frames.
+/// An image segment as used in the estimation; all members in the conditioned frames.
 struct ObservedLine {
-  std::size_t view = 0;  ///< number of the view that shows it
+  std::size_t view = 0;  ///< index of the view that shows it
   Segment2 segment;
   double sigma_e = 0.0;  ///< standard deviation of the endpoints along the line
   UncertainLine2 line;
@@ -57,7 +57,7 @@ struct ConditionedViews {
   [[nodiscard]] Eigen::Matrix3d fundamental(std::size_t from, std::size_t to) const;
 };
 
-/// A segment of a view as the estimation uses it. Throws std::invalid_argument for a segment that
+/// A segment of a view as used in the estimation. Throws std::invalid_argument for a segment that
 /// uncertain_line() rejects.
 ObservedLine observe(const ConditionedViews& frames,
                      std::size_t view,
@@ -66,9 +66,9 @@ ObservedLine observe(const ConditionedViews& frames,
 
 /// The conditioning of a patch, which is given by segments of all images that show about the same
 /// area. The patch gets unit size in each image and in object space. Images without segments keep
-/// their pixels. Its centre in object space is where the rays of the patch centres of the first two
-/// images with segments come closest. Throws std::invalid_argument for fewer than two images with
-/// segments, and for cameras whose rays are parallel there.
+/// their pixel coordinates. Its centre in object space is where the rays of the patch centres of
+/// the first two images with segments come closest. Throws std::invalid_argument for fewer than two
+/// images with segments, and for cameras whose rays are parallel there.
 ConditionedViews condition(std::span<const ProjectionMatrix> cameras,
                            std::span<const std::vector<Segment2>> patch);
 

@@ -26,8 +26,8 @@ UncertainSegment2 registered(const UncertainSegment2& segment, const Registratio
   return moved;
 }
 
-/// Parameter at which the epipolar line of a point of the other image crosses the line of a
-/// base segment.
+/// Parameter at which the epipolar line of a point in the other image crosses the line of a base
+/// segment.
 double epipolar_crossing(const Segment2& base,
                          const Eigen::Vector2d& in_other,
                          const Eigen::Matrix3d& other_from_base) {
@@ -38,7 +38,8 @@ double epipolar_crossing(const Segment2& base,
 }
 
 /// Keeps the part of the base segment that shows what the other segment shows. Otherwise a segment
-/// with several fragments in the other view would give each of their lines its whole length.
+/// with several fragments in the other view would give its whole length to the line of each
+/// fragment.
 void clip_to_other(ObservedTrack& track, const Eigen::Matrix3d& other_from_base) {
   // Share of the segment; the epipolar lines run along it if the part is shorter.
   constexpr double kMinShare = 0.02;

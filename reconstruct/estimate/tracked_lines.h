@@ -13,15 +13,15 @@
 
 namespace ridgeline::reconstruct {
 
-/// The correction of the place of a segment, found by comparing the images beside it and beside the
-/// track's base segment.
+/// The correction of the position of a segment, found by comparing the images beside it and beside
+/// the track's base segment.
 struct Registration {
   double shift_px = 0.0;     ///< along n = (-u_y, u_x) of the segment
-  double sigma_scale = 1.0;  ///< factor of its sigma_q and sigma_phi
+  double sigma_scale = 1.0;  ///< factor for its sigma_q and sigma_phi
 };
 using Registrations = std::vector<Registration>;  ///< one per observation of a track
 
-/// The segments of tracks in several images, which it borrows.
+/// The segments of tracks in several images, all borrowed.
 struct TrackedSegments {
   std::span<const ProjectionMatrix> cameras;                 ///< `image_from_local`, by view
   std::span<const std::vector<UncertainSegment2>> segments;  ///< by view
@@ -35,11 +35,11 @@ using TrackSegments = std::vector<UncertainSegment2>;  ///< the segments of a tr
                                                        ///< Track::observations
 
 /// The segments of each track as they were extracted. Throws std::invalid_argument for an index out
-/// of range and for a track whose first two observations are not of two views.
+/// of range and for a track whose first two observations come from the same view.
 std::vector<TrackSegments> extracted(const TrackedSegments& tracked);
 
-/// The segments of each track, corrected by its registrations if there are any. Throws as
-/// extracted() does.
+/// The segments of each track, corrected by its registrations if there are any. Throws under the
+/// same conditions as extracted().
 std::vector<TrackSegments> registered(const TrackedSegments& tracked);
 
 /// The lines of tracks in the conditioned frames, ready for estimation.
@@ -47,19 +47,20 @@ struct TrackedLines {
   ConditionedViews frames;
   std::vector<ObservedTrack> lines;  ///< by track
   std::array<double, 2> height_range_in_local_m{};
-  /// Whether a line of two images is what both show of it, and not what the base segment does.
+  /// Whether a line of two images is the part that both show, not the part that the base segment
+  /// shows.
   bool common_part = false;
 };
 
 /// The tracks in the conditioned frames of the patch, which the extracted segments define. If a
 /// base segment belongs to several tracks, each gets the part that the other segment shows.
 /// @param observed  the segments of each track that are used
-/// Throws as condition() and observe() do.
+/// Throws under the same conditions as condition() and observe().
 TrackedLines tracked_lines(const TrackedSegments& tracked,
                            const std::vector<TrackSegments>& observed,
                            LineCovariance form);
 
-/// A line and another one as one view shows them.
+/// Two lines as seen in one view.
 struct SeenTogether {
   const ObservedLine& line;
   const ObservedLine& other;

@@ -9,7 +9,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Whether most of a segment lies where `has_data` is not 0. It is looked at once a pixel.
+/// Whether most of a segment lies where `has_data` is not 0, tested once per pixel.
 bool lies_on_data(const Segment2& segment, const cv::Mat& has_data) {
   const Eigen::Vector2d way = segment.end - segment.start;
   const int n = std::max(1, static_cast<int>(std::lround(way.norm())));

@@ -9,9 +9,9 @@
 
 namespace ridgeline::reconstruct {
 
-/// Removes the segments that are the border of the data of an image and no edge of an object: more
-/// than half of their length lies within 3 px of pixels without data, which is how far an edge
-/// reaches in the gradient.
+/// Removes segments along the border of the data of an image, which are not edges of objects: more
+/// than half of their length lies within 3 px, the reach of an edge in the gradient, of pixels
+/// without data.
 /// @param is_valid  View::is_valid; if it is empty, all segments stay
 void remove_edges_of_no_data(std::vector<EdgeSegment>& segments, const cv::Mat& is_valid);
 

@@ -9,7 +9,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// The segment in ideal pixels; nothing if an end has none.
+/// The segment in ideal pixels; std::nullopt if an end has none.
 std::optional<Segment2> ideal(const View& view, const Segment2& in_image) {
   if (!view.ideal_from_image) return in_image;
   const std::optional<Eigen::Vector2d> start = view.ideal_from_image(in_image.start);

@@ -7,10 +7,10 @@
 
 namespace ridgeline::reconstruct {
 
-/// The segments of View::own_segments, in their order, with what the view shows of them: the line
-/// in ideal pixels, flanks and direction. Segments are left out if an end lies where the distortion
+/// The segments of View::own_segments, in their order, completed from the view: the line in ideal
+/// pixels, the flanks and the direction. Segments are left out if an end lies where the distortion
 /// of the lens is unknown, or if remove_edges_of_no_data() removes them.
-/// @param view  its image is as normalised() makes it; it has own segments
+/// @param view  its image comes from normalised(); it has own segments
 std::vector<EdgeSegment> completed_own_segments(const View& view);
 
 }  // namespace ridgeline::reconstruct

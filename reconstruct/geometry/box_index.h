@@ -14,8 +14,8 @@
 
 namespace ridgeline {
 
-/// Finds axis-parallel boxes, or segments by the boxes around them, by place: an R-tree, so that a
-/// few boxes far away cost nothing. Copies share the tree.
+/// Spatial index of axis-parallel boxes, or of segments by their bounding boxes. It is an R-tree,
+/// so that a few distant boxes do not slow it down. Copies share the tree.
 template <int kDim>
 class BoxIndex {
  public:
@@ -23,12 +23,12 @@ class BoxIndex {
   using Segment = std::conditional_t<kDim == 2, Segment2, Segment3>;
 
   BoxIndex() = default;
-  /// Empty boxes, and those with a coordinate that is not finite, are never found.
+  /// Empty boxes and boxes with a non-finite coordinate are never found.
   explicit BoxIndex(std::span<const Box> boxes);
   explicit BoxIndex(std::span<const Segment> segments);
 
-  /// The indices, ascending, of all boxes that are at most `reach` from `box`; none if `box` is
-  /// empty or not finite.
+  /// The indices, in ascending order, of all boxes at most `reach` away from `box`; none if `box`
+  /// is empty or not finite.
   [[nodiscard]] std::vector<std::size_t> near(const Box& box, double reach) const;
   [[nodiscard]] std::vector<std::size_t> near(const Segment& segment, double reach) const;
 
@@ -42,7 +42,7 @@ extern template class BoxIndex<3>;
 using BoxIndex2 = BoxIndex<2>;
 using BoxIndex3 = BoxIndex<3>;
 
-/// The box around the plan view of points; empty if one is not finite.
+/// The bounding box of the points in plan; empty if any point is not finite.
 Eigen::AlignedBox2d plan_box_of(std::span<const Eigen::Vector3d> points);
 
 }  // namespace ridgeline

@@ -6,8 +6,8 @@
 
 namespace ridgeline {
 
-/// Throws std::invalid_argument with the streamed parts unless `condition` holds. It is for the
-/// caller's faults only; the parts are name, value, rule.
+/// Throws std::invalid_argument with the streamed parts unless `condition` holds. Use it only for
+/// errors of the caller; the parts are name, value and rule.
 template <typename... Parts>
 void check(bool condition, const Parts&... parts) {
   if (condition) return;

@@ -8,7 +8,7 @@
 
 namespace ridgeline {
 
-/// Things 0, 1, ... that are joined to sets. The lowest number of a set is its name.
+/// Elements 0, 1, ... that are merged into sets. The name of a set is its lowest element.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t n) : parent_(n) {

@@ -13,7 +13,7 @@
 namespace ridgeline {
 
 Eigen::Vector4d projection_centre(const ProjectionMatrix& image_from_world) {
-  // The rows get equal length, so that the null vector does not depend on the scale of a row.
+  // The rows are normalised so that the null vector does not depend on the scale of a row.
   const ProjectionMatrix p = image_from_world.rowwise().normalized();
   return null_vector<4>(p);
 }
@@ -55,8 +55,8 @@ ProjectionMatrix image_from_local(const ProjectionMatrix& image_from_world,
 }
 
 Eigen::Matrix3d fundamental_matrix(const ProjectionMatrix& from, const ProjectionMatrix& to) {
-  // F = S(e) M_to M_from^-1 uses the transfer by the plane at infinity. P_from^+ in its place would
-  // square the condition number.
+  // F = S(e) M_to M_from^-1 uses the transfer by the plane at infinity. Using P_from^+ instead
+  // would square the condition number.
   const Eigen::Matrix3d transfer = to.leftCols<3>() * from.leftCols<3>().inverse();
   const Eigen::Vector3d epipole = to.col(3) - transfer * from.col(3);
   Eigen::Matrix3d f;
@@ -74,8 +74,8 @@ double epipolar_distance_px(const Eigen::Matrix3d& fundamental,
 double epipolar_angle_rad(const ProjectionMatrix& own,
                           const ProjectionMatrix& other,
                           const Segment2& segment_in_own) {
-  // The direction of the join of x and e at x is e_xy - e_w x. This is valid for an epipole at
-  // infinity too.
+  // The direction of the join of x and e at x is e_xy - e_w x, which also holds for an epipole at
+  // infinity.
   const Eigen::Vector3d epipole = own * projection_centre(other);
   return acute_angle_rad(
       Eigen::Vector2d(segment_in_own.end - segment_in_own.start),

@@ -7,10 +7,11 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Share of the shorter segment that near-aligned segments must have in common.
+/// Minimum share of the shorter of two near-aligned segments that the overlap must cover.
 constexpr double kMinAlignedShare = 0.5;
 
-/// The overlap when the left ends correspond to right parameters t at heights z. Nothing if empty.
+/// The overlap if the left ends correspond to the right parameters t at heights z; std::nullopt if
+/// it is empty.
 std::optional<EpipolarOverlap> overlap_of(const std::array<double, 2>& t,
                                           const std::array<double, 2>& z) {
   const double rate = t[1] - t[0];
@@ -35,8 +36,8 @@ double height_beside(const Stretch& stretch,
   return stretch.height_on(direction, direction.dot(y));
 }
 
-/// The overlap if the left ends have the heights z; nothing if the transferred ends miss the right
-/// line.
+/// The overlap if the left ends have the heights z; std::nullopt if the transferred ends miss the
+/// right line.
 std::optional<EpipolarOverlap> aligned_overlap(const SearchedSegment& left,
                                                const Segment2& right,
                                                const std::array<double, 2>& z,
@@ -89,7 +90,7 @@ std::optional<SearchedSegment> searched_segment(const StereoSearch& search,
   searched.end = search.right_from_left.stretch(left_segment.end);
   const Stretch centre = search.right_from_left.stretch(midpoint(left_segment));
   const Eigen::Vector2d per_height = centre.derivative(middle_m);
-  // If the third coordinate changes its sign within the range, the ray meets the plane of the
+  // If the third coordinate changes sign within the height range, the ray meets the plane of the
   // projection centre.
   const double depth =
       (centre.a.z() + lowest * centre.b.z()) * (centre.a.z() + highest * centre.b.z());
@@ -132,7 +133,8 @@ std::vector<EpipolarOverlap> aligned_overlaps(const SearchedSegment& left,
   const Eigen::Vector2d& counterpart_of_start = same_way ? right.start : right.end;
   const Eigen::Vector2d& counterpart_of_end = same_way ? right.end : right.start;
   const auto in_range = [&](double z) { return z >= height_range_m[0] && z <= height_range_m[1]; };
-  // The parallaxes at which the segments touch end to end bound those at which they overlap.
+  // The parallaxes at which the segments touch end to end are the limits of those at which they
+  // overlap.
   const std::array<double, 4> touching = {
       height_beside(left.start, e, right.start), height_beside(left.start, e, right.end),
       height_beside(left.end, e, right.start), height_beside(left.end, e, right.end)};
@@ -161,8 +163,8 @@ bool may_share_counterpart(const OverlappedSegment& a, const OverlappedSegment& 
 }
 
 bool may_be_counterparts_of_one(const OverlappedSegment& a, const OverlappedSegment& b) {
-  // The tolerance is tight because windows run along the eave above them, in a wall that is a few
-  // pixels wide.
+  // The tolerance is tight because rows of windows run parallel to the eave above them, in a wall
+  // that is only a few pixels wide in the image.
   constexpr double kTolerance_px = 1.0;
   return !a.overlap.aligned && !b.overlap.aligned &&
          are_fragments(a.segment, b.segment, kTolerance_px) &&

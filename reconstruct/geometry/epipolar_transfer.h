@@ -10,12 +10,12 @@
 
 namespace ridgeline::reconstruct {
 
-/// Where a point of one image may lie in the other: the image y ~ a + z b of its ray, a line in
-/// homogeneous pixels with the object height z (m, local frame) as parameter.
+/// The possible positions in one image of a point of the other: the image y ~ a + z b of its ray, a
+/// line in homogeneous pixels with the object height z (m, local frame) as parameter.
 struct Stretch {
   Eigen::Vector3d a, b;
 
-  /// Pixel for a height; not finite where the ray meets the plane of the projection centre.
+  /// Pixel for a given height; not finite where the ray meets the plane of the projection centre.
   [[nodiscard]] Eigen::Vector2d at(double z_m) const { return (a + z_m * b).hnormalized(); }
   /// dy/dz, pixels per metre of height.
   [[nodiscard]] Eigen::Vector2d derivative(double z_m) const;
@@ -24,14 +24,14 @@ struct Stretch {
   [[nodiscard]] double height_on(const Eigen::Vector2d& n, double c) const;
 };
 
-/// Transfer of points between two oriented images by way of the object height; for any orientation
-/// of the cameras except rays that run horizontally, whose stretch is not finite.
+/// Transfers points between two oriented images by way of the object height. The cameras may have
+/// any orientation, but the stretch of a horizontal ray is not finite.
 class EpipolarTransfer {
  public:
   EpipolarTransfer(const ProjectionMatrix& from, const ProjectionMatrix& to);
 
   [[nodiscard]] Stretch stretch(const Eigen::Vector2d& x_from) const;
-  /// The point of the ray at a height.
+  /// The point of the ray at a given height.
   [[nodiscard]] Eigen::Vector3d object_point(const Eigen::Vector2d& x_from, double z_m) const;
   /// F with x_to' F x_from = 0.
   [[nodiscard]] const Eigen::Matrix3d& fundamental() const { return fundamental_; }
@@ -50,7 +50,7 @@ class EpipolarTransfer {
 struct LocalTransfer {
   Eigen::Matrix2d jacobian;
   Eigen::Vector2d per_height;  ///< px/m
-  double gsd_m = 0.0;          ///< size of a pixel of the first image on the level at z0
+  double gsd_m = 0.0;          ///< size of a pixel of the first image on the horizontal plane at z0
 
   /// Ratio of the parallax that a height causes to this height, both in pixels.
   [[nodiscard]] double base_to_height() const { return per_height.norm() * gsd_m; }
@@ -64,19 +64,19 @@ LocalTransfer local_transfer(const EpipolarTransfer& transfer,
                              const Eigen::Vector2d& x_from,
                              double z_m);
 
-/// The transfer in both directions of a stereo pair, and the heights to search.
+/// The transfer of a stereo pair in both directions, and the heights to search.
 struct StereoSearch {
   EpipolarTransfer right_from_left, left_from_right;
   std::array<double, 2> height_range_m;
 
-  /// Throws std::invalid_argument for matrices or heights that are not finite, a range that is not
-  /// lowest to highest, or cameras without epipolar geometry.
+  /// Throws std::invalid_argument if the matrices or heights are not finite, the range does not run
+  /// from lowest to highest, or the cameras have no epipolar geometry.
   StereoSearch(const ProjectionMatrix& left,
                const ProjectionMatrix& right,
                const std::array<double, 2>& height_range_in_local_m);
 };
 
-/// Transfer from the left image to the right one, at the middle of the heights.
+/// Transfer from the left image to the right one, at the middle of the height range.
 LocalTransfer local_transfer(const StereoSearch& search, const Eigen::Vector2d& x_left);
 
 }  // namespace ridgeline::reconstruct

@@ -8,8 +8,8 @@
 
 namespace ridgeline {
 
-/// One option of an options struct: the single source of its command-line flag, its range check and
-/// its echo in run.json. A struct lists its fields as `static constexpr auto fields()`.
+/// One option of an options struct: the single definition of its command-line flag, its range check
+/// and its entry in run.json. A struct lists its fields as `static constexpr auto fields()`.
 template <typename Options, typename T>
 struct Field {
   std::string_view name;  ///< snake_case with the unit as suffix

@@ -13,15 +13,16 @@ class Interrupted : public std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// Stops the long computations of this process on behalf of a program that must answer its user
-/// meanwhile (Ctrl-C in Python). Their loops call check(); the request stands until it is cleared.
+/// Stops the long computations of this process, for programs that must respond to their user
+/// meanwhile (Ctrl-C in Python). The loops of these computations call check(); a request remains in
+/// force until it is cleared.
 class Interruption {
  public:
   static void request() { is_requested = true; }
   static void clear() { is_requested = false; }
   [[nodiscard]] static bool is_standing() { return is_requested; }
-  /// Throws Interrupted if a request stands. Any thread may call it; it costs no more than a read
-  /// of memory.
+  /// Throws Interrupted if a request is in force. Any thread may call it; it costs only one memory
+  /// read.
   static void check() {
     if (is_requested.load(std::memory_order_relaxed)) throw Interrupted();
   }

@@ -5,9 +5,9 @@
 
 namespace ridgeline {
 
-/// The frame of all computation: `x_in_local = x_in_world - origin_m`, where the origin has integer
-/// metres so that the subtraction loses nothing at map coordinates. World is the CRS of the data,
-/// in metres. One frame serves every input of a run.
+/// The frame of all computations: `x_in_local = x_in_world - origin_m`. The origin is in whole
+/// metres, so that the subtraction loses no precision with map coordinates. World is the CRS of the
+/// data, in metres. All inputs of a run share one frame.
 struct LocalFrame {
   Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();
 

@@ -7,8 +7,8 @@
 
 namespace ridgeline {
 
-/// The middle one of n > 0 values in order; for an even n, the upper one of the two in the middle.
-/// Always one of the values, unlike evaluate::median().
+/// The middle of n > 0 values in sorted order; for even n, the larger of the two middle values.
+/// Unlike evaluate::median(), the result is always one of the values.
 template <typename T>
 T upper_median(std::vector<T> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

@@ -71,7 +71,7 @@ ProjectionMatrix projection_matrix(const InteriorOrientation& interior,
   Eigen::Matrix3d K = Eigen::Matrix3d::Identity();
   K.diagonal().head<2>() = interior.focal_length_px;
   K.col(2).head<2>() = interior.principal_point_px;
-  // The flip turns axes x right, y up, z backwards into x right, y down, z forwards.
+  // The flip converts axes x right, y up, z backwards to x right, y down, z forwards.
   const Eigen::Vector3d flip(1.0, -1.0, -1.0);
   const Eigen::Matrix3d KR = K * flip.asDiagonal() * exterior.world_from_camera_axes.transpose();
   ProjectionMatrix P;
@@ -99,8 +99,8 @@ std::optional<Eigen::Vector2d> undistorted_px(const InteriorOrientation& interio
   for (int i = 0; i < kMaxIterations; ++i) {
     const Eigen::Vector2d residual = distort(interior.distortion, x) - target;
     const Eigen::Matrix2d J = distortion_jacobian(interior.distortion, x);
-    // The radii shrink again beyond the fold of the polynomial, so a solution there is not the
-    // ideal pixel.
+    // Beyond the fold of the polynomial the distorted radius decreases again, so a solution there
+    // is not the ideal pixel.
     if (!(J.determinant() > 0.0)) return std::nullopt;
     if (residual.cwiseProduct(interior.focal_length_px).norm() <= kTolerancePx) {
       return pixel(interior, x);

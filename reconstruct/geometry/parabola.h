@@ -5,8 +5,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// Place of the vertex of the parabola through values at -1, 0 and 1, at most half a step from the
-/// middle; 0 if it has no maximum.
+/// Position of the vertex of the parabola through values at -1, 0 and 1, clamped to half a step
+/// from the middle; 0 if the parabola has no maximum.
 template <typename T>
 T vertex_of_parabola(T before, T middle, T after) {
   const T curvature = 2 * middle - before - after;

@@ -11,7 +11,7 @@
 
 namespace ridgeline {
 
-/// The box around points in plan; empty without points.
+/// The bounding box of points in plan; empty without points.
 inline Eigen::AlignedBox2d box_around(std::span<const Eigen::Vector2d> points) {
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& x : points) box.extend(x);
@@ -29,7 +29,7 @@ inline Eigen::AlignedBox2d grown(const Eigen::AlignedBox2d& box, double margin) 
   return {box.min() - by, box.max() + by};
 }
 
-/// How far a point lies to the left of side `i` of a polygon, times the length of the side.
+/// Distance of a point to the left of side `i` of a polygon, multiplied by the length of the side.
 inline double left_of_side(std::span<const Eigen::Vector2d> polygon,
                            std::size_t i,
                            const Eigen::Vector2d& x) {
@@ -39,7 +39,7 @@ inline double left_of_side(std::span<const Eigen::Vector2d> polygon,
 }
 
 /// Whether a point lies in a convex polygon whose corners run counter-clockwise, or on its border.
-/// Everything lies in a polygon without corners.
+/// Every point lies in a polygon without corners.
 inline bool is_within(std::span<const Eigen::Vector2d> polygon, const Eigen::Vector2d& x) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     if (left_of_side(polygon, i, x) < 0.0) return false;
@@ -47,8 +47,8 @@ inline bool is_within(std::span<const Eigen::Vector2d> polygon, const Eigen::Vec
   return true;
 }
 
-/// Whether a box and such a polygon have more than a border in common, or nearly so: a box beside a
-/// sharp corner may count.
+/// Whether a box and such a polygon share more than a border. The test is approximate: it may also
+/// be true for a box next to a sharp corner.
 inline bool meets(std::span<const Eigen::Vector2d> polygon, const Eigen::AlignedBox2d& box) {
   const std::vector<Eigen::Vector2d> corners = corners_of(box);
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -19,7 +19,7 @@ inline Plane3 upward(const Plane3& plane) {
   return down ? Plane3(Eigen::Vector3d(-n), -plane.offset()) : plane;
 }
 
-/// Height of the plane over a plan position; infinite or NaN for a vertical plane.
+/// Height of the plane at a plan position; infinite or NaN for a vertical plane.
 inline double height_at(const Plane3& plane, const Eigen::Vector2d& x) {
   return -(plane.normal().head<2>().dot(x) + plane.offset()) / plane.normal().z();
 }

@@ -29,7 +29,7 @@ inline Eigen::Vector2d point_at(const Segment2& s, double t) {
 }
 /// Unit vector u from start to end.
 inline Eigen::Vector2d along(const Segment2& s) { return (s.end - s.start).normalized(); }
-/// n = (-u_y, u_x): points to the right side of the segment, as y runs down in an image.
+/// n = (-u_y, u_x) points to the right of the segment, because y runs down in an image.
 inline Eigen::Vector2d normal_of(const Eigen::Vector2d& u) { return {-u.y(), u.x()}; }
 inline Eigen::Vector2d normal(const Segment2& s) { return normal_of(along(s)); }
 /// Parameter of the foot of `x` on the infinite line of the segment, 0 at its start and 1 at its
@@ -52,28 +52,28 @@ inline Segment2 plan(const Segment3& s) { return {s.start.head<2>(), s.end.head<
 double closest_parameter(const Segment2& segment, const Eigen::Vector2d& x);
 double closest_parameter(const Segment3& segment, const Eigen::Vector3d& x);
 
-/// Distance from `x` to the segment, which ends at its end points: not the distance to the infinite
-/// line.
+/// Distance from `x` to the segment itself, not to its infinite line.
 double distance(const Segment2& segment, const Eigen::Vector2d& x);
 double distance(const Segment3& segment, const Eigen::Vector3d& x);
 
-/// Smallest distance of any two points of the segments; 0 where they cross or touch.
+/// Smallest distance between the segments; 0 if they cross or touch.
 double distance(const Segment2& a, const Segment2& b);
 
-/// Acute angle in [0, pi/2] between two directions of any length, by atan2(|a x b|, |a.b|), which
-/// stays exact near 0 and pi/2 where acos does not. The angle is 0 if either has zero length.
+/// Acute angle in [0, pi/2] between two directions of any length, computed by atan2(|a x b|,
+/// |a.b|), which, unlike acos, stays accurate near 0 and pi/2. The angle is 0 if either has zero
+/// length.
 double acute_angle_rad(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 double acute_angle_rad(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 double acute_angle_rad(const Segment2& a, const Segment2& b);
 
-/// The point where the infinite lines of two segments meet; nothing if their acute angle is at most
-/// `min_angle_rad`.
+/// The point where the infinite lines of two segments meet; std::nullopt if their acute angle is at
+/// most `min_angle_rad`.
 std::optional<Eigen::Vector2d> intersection(const Segment2& a,
                                             const Segment2& b,
                                             double min_angle_rad);
 
-/// Whether two segments of an image are parts of one straight edge. They are if all their ends lie
-/// within the tolerance of the line between the two ends that are farthest apart.
+/// Whether two segments of an image are parts of one straight edge: all their ends lie within the
+/// tolerance of the line through the two ends that are farthest apart.
 bool are_fragments(const Segment2& a, const Segment2& b, double tolerance_px = 1.5);
 
 }  // namespace ridgeline

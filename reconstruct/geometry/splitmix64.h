@@ -6,7 +6,7 @@
 namespace ridgeline {
 
 /// SplitMix64 (Steele, Lea and Flood 2014, Fast splittable pseudorandom number generators). Unlike
-/// those of the standard library's distributions, its numbers are the same with every compiler.
+/// the distributions of the standard library, it gives the same numbers with every compiler.
 class SplitMix64 {
  public:
   static constexpr std::uint64_t kStep = 0x9e3779b97f4a7c15U;

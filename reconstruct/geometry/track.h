@@ -12,27 +12,27 @@
 
 namespace ridgeline {
 
-/// A segment of one of several views that shows a line, by their numbers. Segment -1 was not
-/// extracted: it is the projection of a true edge or of an intersection of surfaces.
+/// The numbers of a view and of one of its segments that shows a line. Segment -1 stands for a
+/// segment that was not extracted: the projection of a true edge or of an intersection of surfaces.
 struct Observation {
   std::size_t view = 0;
   int segment = 0;
   friend auto operator<=>(const Observation&, const Observation&) = default;
 };
 
-/// A segment in one of several views, in ideal pixels: all of an extracted segment, a part of it,
-/// or one that was not extracted.
+/// A segment in one of several views, in ideal pixels: an extracted segment, a part of one, or a
+/// segment that was not extracted.
 struct ObservedSegment : Observation {
   Segment2 px;
 };
 
-/// What several views show of one line. A view that shows the line in pieces has several
+/// The observations of one line in several views. A view that shows the line in pieces has several
 /// observations.
 template <typename Observed>
 struct TrackOf {
   std::vector<Observed> observations;  ///< base(), other(), then the rest
 
-  /// The observation that gives the line its ends.
+  /// The observation that determines the ends of the line.
   [[nodiscard]] const Observed& base() const { return observations[0]; }
   [[nodiscard]] Observed& base() { return observations[0]; }
   /// The observation of another view that together with base() determines the line best.
@@ -42,7 +42,7 @@ struct TrackOf {
 
 using Track = TrackOf<Observation>;
 
-/// Two of several views, by their numbers.
+/// The numbers of two of several views.
 struct ViewPair {
   std::size_t base = 0, search = 1;
 };
@@ -53,7 +53,7 @@ struct MatchedPair {
   std::vector<Correspondence> matches;
 };
 
-/// The tracks of a pair of views: track i is match i.
+/// The tracks of a pair of views; track i belongs to match i.
 inline std::vector<Track> tracks_of_pair(const ViewPair& views,
                                          std::span<const Correspondence> matches) {
   return transformed(matches, [&](const Correspondence& m) {

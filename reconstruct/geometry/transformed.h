@@ -10,7 +10,7 @@
 
 namespace ridgeline {
 
-/// The values of `f`, a function or a pointer to a member, for each element of a range, in order.
+/// The values of `f` (a function or a pointer to a member) for the elements of a range, in order.
 template <std::ranges::sized_range Range, typename F>
 auto transformed(const Range& range, F f) {
   using Value = std::invoke_result_t<F&, std::ranges::range_reference_t<const Range>>;

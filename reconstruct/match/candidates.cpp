@@ -13,12 +13,12 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// The range of heights is widened by this, because noise changes a height at its border.
+/// The height range is widened by this, because noise can move a height beyond its limits.
 constexpr double kHeightTolerance_px = 2.0;
-/// Largest distance of near-aligned segments from each other's epipolar band; ours.
+/// Largest distance of near-aligned segments from each other's epipolar band; our own value.
 constexpr double kEpipolarTolerance_px = 2.0;
 constexpr double kParallaxStep_px = 1.0;  // step of the search along near-aligned lines
-/// The grid for choosing among many parallaxes, coarser than that of the final comparison.
+/// The grid for choosing among many parallaxes, coarser than the one of the final comparison.
 constexpr StripGrid kCoarseGrid{1.5, 2.0, 3, 16, 1, false};
 
 struct CandidateSearch {
@@ -30,7 +30,7 @@ struct CandidateSearch {
   BoxIndex2 right_index;
 };
 
-/// The box around the places in the right image where both ends of a left segment may lie.
+/// The box around the possible positions of both ends of a left segment in the right image.
 Eigen::AlignedBox2d band_box(const SearchedSegment& left,
                              const std::array<double, 2>& heights_m,
                              double margin_px) {
@@ -46,7 +46,7 @@ double sum_of_ncc(const EdgeAppearance& appearance) {
   return sum;
 }
 
-/// The overlap of two near-aligned segments for which they look most alike.
+/// The overlap at which two near-aligned segments are most similar.
 std::optional<EpipolarOverlap> best_aligned_overlap(const CandidateSearch& search,
                                                     const SearchedSegment& searched,
                                                     const LocalTransfer& transfer,

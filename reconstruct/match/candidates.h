@@ -11,17 +11,18 @@
 
 namespace ridgeline::reconstruct {
 
-/// A segment closer to the epipolar line than this has no end points transferred by geometry. Ours.
+/// The end points of a segment closer to the epipolar direction than this are not transferred by
+/// geometry. Our own value.
 inline constexpr double kMinEpipolarAngle_deg = 5.0;
-/// Candidates kept per segment: those whose single lines are most similar.
+/// Number of candidates kept per segment: those that are most similar as single lines.
 inline constexpr int kMaxCandidates = 8;
-/// Least epipolar overlap of two segments, as a share of the shorter one. Ours.
+/// Minimum epipolar overlap of two segments, as a share of the shorter one. Our own value.
 inline constexpr double kMinOverlap = 0.3;
 
-/// Which right segments may be the counterpart of a left one.
+/// Limits on the right segments that may be the counterpart of a left one.
 struct CandidateOptions {
-  double max_turn_deg = 35.0;   ///< a steep line of a roof turns by up to 20 degrees between views
-  double max_slope_deg = 50.0;  ///< largest slope of a roof; a match that implies more is wrong
+  double max_turn_deg = 35.0;   ///< a steep roof line turns by up to 20 degrees between views
+  double max_slope_deg = 50.0;  ///< largest roof slope; a match with a steeper line is wrong
 
   static constexpr auto fields() {
     using O = CandidateOptions;
@@ -46,18 +47,19 @@ struct Candidate {
 /// The candidates of each left segment, best first.
 using Candidates = std::vector<std::vector<Candidate>>;
 
-/// Changes the appearance of a candidate that is not near-aligned. Extensions beyond the paper
-/// enter here. It may be empty. `most_drop_m`: height of the lower end of the line above the lowest
-/// height of objects.
+/// Changes the appearance of a candidate that is not near-aligned; the hook for extensions beyond
+/// the paper. May be empty. `most_drop_m`: height of the lower end of the line above the lowest
+/// object height.
 using CandidateAppearance = std::function<void(const ImagePair& images,
                                                const EdgePair& edges,
                                                const LocalTransfer& transfer,
                                                double most_drop_m,
                                                EdgeAppearance& appearance)>;
 
-/// The candidates of each left segment: right segments that overlap its epipolar band for the range
-/// of heights and whose direction and height are possible. The `max_candidates` whose single lines
-/// look most alike are kept, best first. Throws std::invalid_argument for options out of range.
+/// The candidates of each left segment: right segments that overlap its epipolar band over the
+/// height range and whose direction and height are possible. Compared as single lines, the
+/// `max_candidates` most similar ones are kept, best first. Throws std::invalid_argument for
+/// options out of range.
 Candidates match_candidates(const SearchedPair& pair,
                             const Radiometry& radiometry,
                             const CandidateOptions& options,

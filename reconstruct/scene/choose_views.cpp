@@ -14,10 +14,10 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr std::size_t kDirections = 8;  ///< of lines, in plan
+constexpr std::size_t kDirections = 8;  ///< number of line directions in plan
 constexpr double kMinSeenShare = 0.1;
 
-/// Information on the place of a line of each direction across itself, horizontal and vertical.
+/// Information matrices of the position across a line, horizontal and vertical, for each direction.
 using OfDirections = std::array<Eigen::Matrix2d, kDirections>;
 
 bool sees(const CandidateView& view, const Eigen::Vector3d& x) {
@@ -29,7 +29,7 @@ bool sees(const CandidateView& view, const Eigen::Vector3d& x) {
          px.y() <= view.size_px.y() - 1.0;
 }
 
-/// Focal length in pixels: the mean of both axes, which lie across the viewing direction.
+/// Focal length in pixels: the geometric mean over both image axes.
 double focal_length_px(const ProjectionMatrix& P) {
   const Eigen::Vector3d axis = P.row(2).head<3>().transpose();
   const auto of_row = [&](int row) {
@@ -39,7 +39,7 @@ double focal_length_px(const ProjectionMatrix& P) {
   return std::sqrt(of_row(0) * of_row(1));
 }
 
-/// What a view tells of lines at one point.
+/// The information that a view contributes on lines at one point.
 OfDirections information(const CandidateView& view,
                          const Eigen::Vector3d& centre,
                          const Eigen::Vector3d& x) {
@@ -108,7 +108,7 @@ class Chooser {
     return next ? next : best(cost_within(std::numeric_limits<double>::infinity()));
   }
 
-  /// The candidate of the least cost that is not chosen yet; nothing if none has a cost.
+  /// The unchosen candidate with the lowest cost; std::nullopt if none has a cost.
   template <typename Cost>
   [[nodiscard]] std::optional<std::size_t> best(const Cost& cost) const {
     std::optional<std::size_t> found;

@@ -30,7 +30,7 @@ std::vector<Histogram> histograms(const cv::Mat& raw) {
   return counts;
 }
 
-/// The smallest value that at least `share` of the pixels do not exceed.
+/// The smallest value such that at least `share` of the pixels do not exceed it.
 double quantile(const Histogram& counts, double share, std::int64_t n_pixels) {
   const auto wanted = std::max<std::int64_t>(1, std::llround(share * double(n_pixels)));
   std::int64_t sum = 0;
@@ -39,7 +39,7 @@ double quantile(const Histogram& counts, double share, std::int64_t n_pixels) {
   return static_cast<double>(value);
 }
 
-/// The values that are stretched to 0 and 1; equal ones for a band without any contrast.
+/// The values that are mapped to 0 and 1; equal values for a band without any contrast.
 std::array<double, 2> range_of(const Histogram& counts, std::int64_t n_pixels) {
   constexpr double kTail = 0.005;
   constexpr double kMargin = 0.25;
@@ -47,7 +47,7 @@ std::array<double, 2> range_of(const Histogram& counts, std::int64_t n_pixels) {
   const double highest = quantile(counts, 1.0, n_pixels);
   double low = quantile(counts, kTail, n_pixels);
   double high = quantile(counts, 1.0 - kTail, n_pixels);
-  if (low == high) {  // nearly all pixels have one value
+  if (low == high) {  // nearly all pixels have the same value
     low = lowest;
     high = highest;
   }

@@ -12,21 +12,21 @@
 
 namespace ridgeline::reconstruct {
 
-/// A square of a grid; its patch has the same name.
+/// A square of a grid; its patch is named after it.
 struct GridCell {
   std::int64_t column = 0, row = 0;
   auto operator<=>(const GridCell&) const = default;
 };
 
-/// Squares that lie at multiples of their size, so that they stay where they are when a block
-/// grows. The first and the last column and row of an extent join their neighbours if they are
-/// slivers: a patch with its overlap covers these anyway.
+/// Squares at multiples of their size, so that they keep their positions when a block grows. The
+/// first and the last column and row of an extent are joined to their neighbours if they are
+/// slivers, because the overlap of the neighbouring patch covers them anyway.
 class PatchGrid {
  public:
   explicit PatchGrid(double size_m) : size_m_(size_m) {}
 
-  /// @param extent of all places, m
-  /// @param overlap_m by how much a patch reaches beyond its square
+  /// @param extent     the extent of all places, m
+  /// @param overlap_m  the distance by which a patch extends beyond its square
   PatchGrid(double size_m, const Eigen::AlignedBox2d& extent, double overlap_m)
       : size_m_(size_m),
         first_(plain_cell_of(extent.min())),
@@ -44,7 +44,8 @@ class PatchGrid {
     join(first_kept_.row, last_kept_.row, low.y(), high.y());
   }
 
-  /// The widest sliver: as wide as the overlap, at least 2 m, which no patch is worth.
+  /// The largest width of a sliver: the overlap, but at least 2 m, because narrower patches are not
+  /// worthwhile.
   static double sliver_m(double overlap_m) {
     constexpr double kMinSliver_m = 2.0;
     return std::max(overlap_m, kMinSliver_m);
@@ -52,7 +53,7 @@ class PatchGrid {
 
   [[nodiscard]] double size_m() const { return size_m_; }
 
-  /// The square that a place belongs to; of places on a side it is the upper or right one.
+  /// The square to which a place belongs; for a place on a side, the upper or right one.
   [[nodiscard]] GridCell cell_of(const Eigen::Vector2d& x_in_world) const {
     const GridCell cell = plain_cell_of(x_in_world);
     const auto joined = [](std::int64_t place, std::int64_t first, std::int64_t last,
@@ -63,7 +64,7 @@ class PatchGrid {
             joined(cell.row, first_.row, last_.row, first_kept_.row, last_kept_.row)};
   }
 
-  /// The square, with those that joined it.
+  /// The square, including the slivers that are joined to it.
   [[nodiscard]] Eigen::AlignedBox2d square(const GridCell& cell) const {
     const GridCell low{cell.column == first_kept_.column ? first_.column : cell.column,
                        cell.row == first_kept_.row ? first_.row : cell.row};

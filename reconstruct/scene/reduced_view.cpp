@@ -12,7 +12,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// x -> scale x + shift of pixel coordinates.
+/// The mapping x -> scale x + shift of pixel coordinates.
 struct PixelScale {
   double scale = 1.0;
   Eigen::Vector2d shift = Eigen::Vector2d::Zero();
@@ -32,7 +32,7 @@ struct PixelScale {
   [[nodiscard]] PixelScale inverse() const { return {1.0 / scale, -shift / scale}; }
 };
 
-/// The place in the image where the first whole block of the frame begins.
+/// The position in the image at which the first whole block of the frame begins.
 cv::Point first_block_px(const Eigen::Vector2i& corner_px, int factor) {
   const auto skipped = [factor](int corner) {
     const int begun = (corner % factor + factor) % factor;
@@ -41,8 +41,8 @@ cv::Point first_block_px(const Eigen::Vector2i& corner_px, int factor) {
   return {skipped(corner_px.x()), skipped(corner_px.y())};
 }
 
-/// From pixels of the reduced image to those of the image. The middle of a block is that of its
-/// pixels.
+/// Maps pixels of the reduced image to pixels of the image. The centre of a block is the mean
+/// position of its pixels.
 PixelScale to_image_from_blocks(const cv::Point& first_px, int factor) {
   const double middle = 0.5 * (factor - 1.0);
   return {static_cast<double>(factor), {first_px.x + middle, first_px.y + middle}};
@@ -91,7 +91,7 @@ View reduced(const View& view, int factor) {
     cv::threshold(view.is_valid(blocks), whole, 0.0, 1.0, cv::THRESH_BINARY);
     whole.convertTo(whole, CV_32F);
     cv::resize(whole, share, size, 0.0, 0.0, cv::INTER_AREA);
-    constexpr double kAll = 1.0 - 1e-3;  // sums of ones by blocks are exact to rounding
+    constexpr double kAll = 1.0 - 1e-3;  // block sums of ones are exact to rounding
     small.is_valid = share > kAll;
   }
   return small;

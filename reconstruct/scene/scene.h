@@ -20,15 +20,15 @@ namespace ridgeline::reconstruct {
 /// An oriented image.
 struct View {
   std::string id;
-  ProjectionMatrix image_from_local;  ///< ideal pixel; (0, 0) is the centre of the top-left one
-  cv::Mat image;  ///< 8 or 16 bits with 1 to 4 bands, or what normalised() makes of it
-  PixelMap ideal_from_image{};  ///< removes the distortion of the lens; empty if there is none
+  ProjectionMatrix image_from_local;  ///< ideal pixel; (0, 0) is the centre of the top-left pixel
+  cv::Mat image;                ///< 8 or 16 bits with 1 to 4 bands, or the result of normalised()
+  PixelMap ideal_from_image{};  ///< removes the lens distortion; empty if there is none
   std::vector<EdgeSegment> segments{};  ///< result of extract()
   cv::Mat is_valid{};  ///< CV_8UC1, 0 where the image has no data; empty if it has data everywhere
-  Eigen::Vector2i corner_px =
-      Eigen::Vector2i::Zero();  ///< of the image in the frame that it is cut from
-  /// What another detector found, for extract() to take in place of detecting edges. Known are
-  /// `in_image`, the sigmas of `line`, and `scale_px`.
+  /// Top-left corner of the image in the frame from which it is cut.
+  Eigen::Vector2i corner_px = Eigen::Vector2i::Zero();
+  /// Segments found by another detector, which extract() uses instead of detecting edges. Only
+  /// `in_image`, the sigmas of `line`, and `scale_px` are set.
   std::optional<std::vector<EdgeSegment>> own_segments{};
 };
 
@@ -36,11 +36,10 @@ struct View {
 struct Scene {
   std::vector<View> views;
   std::array<double, 2> height_range_in_local_m{};  ///< lowest and highest height of objects
-  LocalFrame frame{};  ///< by default, local coordinates are those of the world
+  LocalFrame frame{};  ///< by default, local coordinates equal world coordinates
 };
 
-/// A pair of views ready to be matched. Their images are as normalised() makes them. It borrows the
-/// views.
+/// A pair of views ready to be matched, with images from normalised(). It does not own the views.
 struct StereoPair {
   std::array<const View*, 2> views{};  ///< left (base), right
   std::array<double, 2> height_range_in_local_m{};
@@ -50,15 +49,15 @@ struct StereoPair {
   }
 };
 
-/// A pair of views with the transfer that finds in one view what the other one shows.
+/// A pair of views with the transfer of points between them.
 struct SearchedPair {
   const View& left;
   const View& right;
   StereoSearch search;
 };
 
-/// The local frame for a base view. Its origin is the point that the middle of the view shows at
-/// the mean height, rounded to 100 m.
+/// The local frame for a base view. Its origin is the point at the mean height that is seen at the
+/// middle of the view, rounded to 100 m.
 LocalFrame local_frame(const ProjectionMatrix& image_from_world,
                        const Eigen::Vector2d& size_px,
                        const std::array<double, 2>& height_range_m);
@@ -66,14 +65,15 @@ LocalFrame local_frame(const ProjectionMatrix& image_from_world,
 /// The scene in the local frame of its first view.
 Scene in_local_frame(Scene scene);
 
-/// The view's image as the stages use it: CV_32F, 0 dark .. 1 bright.
+/// The view's image as used by all stages: CV_32F, 0 dark .. 1 bright.
 cv::Mat normalised(const View& view);
 
-/// Two views of the scene as a pair, which borrows them.
+/// Two views of the scene as a pair, which does not own them.
 StereoPair stereo_pair(const Scene& scene, const ViewPair& views);
 
-/// The pair with its transfer. Throws std::invalid_argument as StereoSearch does, and unless both
-/// images are CV_32F of 1 to 4 bands, the same number in both, and at least 2 x 2 pixels.
+/// The pair with its transfer. Throws std::invalid_argument under the same conditions as
+/// StereoSearch, and unless both images are CV_32F with 1 to 4 bands, the same number of bands, and
+/// at least 2 x 2 pixels.
 SearchedPair searched(const StereoPair& pair);
 
 /// The segments of a view in ideal pixels.

@@ -8,25 +8,25 @@
 
 namespace ridgeline::reconstruct {
 
-/// Where the costs of the disparities of all pixels are kept: row by row, those of a pixel
-/// together. It refers to the ranges.
+/// The memory layout of the costs of the disparities of all pixels: row by row, with the costs of a
+/// pixel next to each other. It keeps a reference to the ranges.
 class CostLayout {
  public:
   explicit CostLayout(const DisparityRanges& ranges);
 
   /// Number of costs.
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// Place of the first cost of a pixel.
+  /// Index of the first cost of a pixel.
   [[nodiscard]] std::size_t at(int x, int y) const {
     const RowOfCells& row = rows_[static_cast<std::size_t>(y / DisparityRanges::kCell_px)];
     const auto y_in_cell = static_cast<std::size_t>(y % DisparityRanges::kCell_px);
     return row.start + y_in_cell * row.row_length + in_row(x, y);
   }
 
-  /// Number of costs of the longest row, with those of a step of disparities before and after every
-  /// pixel.
+  /// Number of costs of the longest row, including DisparityRange::kStep padding costs before and
+  /// after every pixel.
   [[nodiscard]] std::size_t padded_row_size() const { return padded_row_size_; }
-  /// Place of the first cost of a pixel in such a row.
+  /// Index of the first cost of a pixel in such a row.
   [[nodiscard]] std::size_t in_padded_row(int x, int y) const {
     return in_row(x, y) + (static_cast<std::size_t>(x) + 1) * DisparityRange::kStep;
   }
@@ -43,7 +43,7 @@ class CostLayout {
 
   const DisparityRanges& ranges_;
   std::vector<RowOfCells> rows_;
-  std::vector<std::size_t> before_cells_;  ///< costs of a row before a cell
+  std::vector<std::size_t> before_cells_;  ///< number of costs in a row before each cell
   std::size_t size_ = 0, padded_row_size_ = 0;
 };
 

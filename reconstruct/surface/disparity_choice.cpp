@@ -18,14 +18,14 @@ std::uint16_t least_of(const std::uint16_t* costs, int n) {
   return least;
 }
 
-/// Number of costs within [from, to) up to a limit.
+/// Number of costs in [from, to) that are at most `limit`.
 int n_up_to(std::uint16_t limit, const std::uint16_t* costs, int from, int to) {
   int n = 0;
   for (int k = from; k < to; ++k) n += costs[k] <= limit ? 1 : 0;
   return n;
 }
 
-/// Whether a disparity that is not beside the best one costs at most a twentieth more.
+/// Whether a disparity not adjacent to the best one costs at most a twentieth more.
 bool is_ambiguous(const std::uint16_t* costs, int n, int best) {
   constexpr int kUniquenessPercent = 5;
   const int alike = (100 * costs[best] - 1) / (100 - kUniquenessPercent);
@@ -78,7 +78,8 @@ float DisparityChoice::of_pixel(int x, const DisparityRange& range, const std::u
          0.5F * static_cast<float>(below - above) / static_cast<float>(curvature);
 }
 
-/// Whether the pixel of the right view at a disparity belongs to one that is more than a pixel off.
+/// Whether the pixel of the right view at a disparity is matched with a disparity that differs by
+/// more than a pixel.
 bool DisparityChoice::contradicts(int x, int disparity_px) const {
   const int best = best_of_right_[static_cast<std::size_t>(x + ranges_.n_all - disparity_px)];
   return best >= 0 && std::abs(best - disparity_px) > 1;

@@ -8,18 +8,18 @@
 
 namespace ridgeline::reconstruct {
 
-/// Chooses the disparity of each pixel that costs least, if it is the only one and holds from right
-/// to left. It refers to the ranges.
+/// Chooses the disparity with the lowest cost for each pixel, if it is unique and passes the check
+/// from right to left. It keeps a reference to the ranges.
 class DisparityChoice {
  public:
   explicit DisparityChoice(const DisparityRanges& ranges);
 
   /// Chooses the disparities of a row.
-  /// @param costs           those of the ranges of its pixels, one pixel after the other
-  /// @param disparities_px  as many as the row has pixels; negative if nothing is chosen. To a part
-  /// of a pixel by a
-  ///                        parabola through three costs. An end of a range is not chosen, as what
-  ///                        lies beyond may cost less, unless it is 0 or n_all - 1.
+  /// @param costs           the costs of the ranges of its pixels, one pixel after the other
+  /// @param disparities_px  output, one value for each pixel of the row; negative if none chosen.
+  ///                        Subpixel values come from a parabola through three costs. An end of a
+  ///                        range is chosen only if it is 0 or n_all - 1, because lower costs may
+  ///                        lie beyond it.
   void of_row(int y, const std::uint16_t* costs, float* disparities_px);
 
  private:
@@ -27,8 +27,8 @@ class DisparityChoice {
   [[nodiscard]] bool contradicts(int x, int disparity_px) const;
 
   const DisparityRanges& ranges_;
-  /// For each column of the right view the best disparity of the pixels of the left view that see
-  /// it, or -1, and its cost.
+  /// For each column of the right view, the best disparity (or -1) of the pixels of the left view
+  /// that are matched to it, and its cost.
   std::vector<int> best_of_right_, least_of_right_;
 };
 

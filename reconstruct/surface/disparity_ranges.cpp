@@ -7,11 +7,11 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// How far beside a cell coarse disparities count at first, as they place a step to a few pixels
-/// only, and how far at most.
+/// Initial and maximum width of the margin around a cell in which coarse disparities are used. The
+/// margin is needed because they locate a step only to a few pixels.
 constexpr int kBeside_px = 4;
 constexpr int kMaxBeside_px = 64;
-/// Disparities that are searched below and above those of the coarse image.
+/// Number of disparities searched below and above those of the coarse image.
 constexpr int kGap_px = 4;
 constexpr int kMaxCellDisparities = 256;
 
@@ -23,7 +23,7 @@ DisparityRanges without_ranges(const cv::Size& size_px, int n_all) {
   return ranges;
 }
 
-/// What is known of the disparities in a part of an image.
+/// Number and range of the known disparities in a part of an image.
 struct Known {
   int n = 0;
   float least_px = HUGE_VALF, most_px = -HUGE_VALF;

@@ -10,7 +10,7 @@ namespace ridgeline::reconstruct {
 
 /// Disparities [first, first + n) that are searched. n is a multiple of kStep.
 struct DisparityRange {
-  static constexpr int kStep = 8;  ///< so that the costs of a pixel fill vectors of the processor
+  static constexpr int kStep = 8;  ///< so that the costs of a pixel fill SIMD vectors
 
   int first = 0, n = 0;
 
@@ -39,12 +39,13 @@ struct DisparityRanges {
 /// @param n_all  a multiple of DisparityRange::kStep
 DisparityRanges all_disparities(const cv::Size& size_px, int n_all);
 
-/// The disparities around those of an image of half the size. Where this coarse image knows less
-/// than half of the surroundings of a cell, wider surroundings decide. Nothing is searched if these
-/// know too little, too, or if what they know spans more than 256 disparities, which bounds the
-/// memory.
+/// The disparities around those of an image of half the size. If fewer than half of the coarse
+/// disparities around a cell are known, a wider neighbourhood is used. Nothing is searched if too
+/// few are known there either, or if the known ones span more than 256 disparities, which limits
+/// the memory.
 /// @param coarse_px  CV_32F, disparities in coarse pixels, negative where they are not known
-/// @param size_px    of the image; the coarse one may lack half of its last row and column
+/// @param size_px    size of the image; if it is odd, the coarse image does not cover the last row
+///                   or column
 /// @param n_all      a multiple of DisparityRange::kStep
 DisparityRanges disparities_near(const cv::Mat& coarse_px, const cv::Size& size_px, int n_all);
 

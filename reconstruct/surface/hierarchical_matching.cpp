@@ -10,8 +10,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// An image of half the size, by the means of 2 x 2 pixels. What is left of odd rows and columns is
-/// cut off.
+/// An image of half the size, from the means of 2 x 2 pixels. An odd last row or column is cut off.
 cv::Mat halved(const cv::Mat& image) {
   const cv::Size half(image.cols / 2, image.rows / 2);
   cv::Mat result;
@@ -19,7 +18,7 @@ cv::Mat halved(const cv::Mat& image) {
   return result;
 }
 
-/// @param n_halved  how often the views may be halved
+/// @param n_halved  maximum number of times the views are halved
 cv::Mat matched(const cv::Mat& left, const cv::Mat& right, int n_all, int n_halved) {
   constexpr int kMinSide_px = 32;
   const bool is_coarsest = n_halved == 0 || std::min(left.cols, left.rows) < kMinSide_px;

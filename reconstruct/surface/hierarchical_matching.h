@@ -7,10 +7,10 @@
 
 namespace ridgeline::reconstruct {
 
-/// Disparities within [0, n_all) by semi_global_disparities(). All of them are searched in images
-/// of a quarter of the size, where that takes a 64th of the time; a pixel of larger images only
-/// searches near what the images of half their size know (Rothermel et al. 2012). Views of less
-/// than 64 pixels have fewer smaller images.
+/// Disparities within [0, n_all) by semi_global_disparities(). The full range is searched only in
+/// images reduced to a quarter of the size, which takes a 64th of the time; in larger images, each
+/// pixel is searched only near the disparities found at half the size (Rothermel et al. 2012).
+/// Views of less than 64 pixels are reduced less often.
 /// @param n_all  a multiple of kHierarchicalStep
 /// Views and result as for semi_global_disparities().
 cv::Mat hierarchical_disparities(const cv::Mat& left, const cv::Mat& right, int n_all);

@@ -15,10 +15,10 @@ namespace {
 constexpr int kLanes = cv::v_uint8x16::nlanes;
 constexpr int kMaxMatchedBands = 3;
 constexpr std::int16_t kMaxGradient = 63;
-/// Grey values count a quarter, as the light differs between the views.
+/// Grey values have a weight of a quarter, because the illumination differs between the views.
 constexpr int kGreyShift = 2;
 
-/// Writes the gradients of a row from 0 to twice their bound.
+/// Writes the gradients of a row, clipped and shifted to the range from 0 to twice their bound.
 void bounded_gradients(const std::int16_t* gradient, int n, std::uint8_t* bounded) {
   for (int x = 0; x < n; ++x) {
     const auto within =
@@ -27,7 +27,7 @@ void bounded_gradients(const std::int16_t* gradient, int n, std::uint8_t* bounde
   }
 }
 
-/// The least and the largest value within half a pixel of each pixel of a row.
+/// The minimum and maximum within half a pixel of each pixel of a row.
 void bounds_of(const std::uint8_t* __restrict value,
                int n,
                std::uint8_t* __restrict low,
@@ -45,19 +45,19 @@ void bounds_of(const std::uint8_t* __restrict value,
   }
 }
 
-/// 16 pixels of a plane, or one of them 16 times.
+/// 16 pixels of a plane, or one pixel repeated 16 times.
 struct Pixels {
   cv::v_uint8x16 value, low, high;
 };
 
-/// How far each value lies outside of the other one's bounds; the less of both. Differences of such
-/// vectors are never below 0.
+/// Distance of each value from the other one's bounds, the smaller of the two. Differences of such
+/// vectors saturate at 0.
 cv::v_uint8x16 differences(const Pixels& left, const Pixels& right) {
   return cv::v_min(cv::v_max(left.value - right.high, right.low - left.value),
                    cv::v_max(right.value - left.high, left.low - right.value));
 }
 
-/// Adds up five runs of n values that begin `stride` after each other.
+/// Adds up five runs of n values whose starts are `stride` apart.
 void add_five(const std::int16_t* __restrict values,
               std::size_t stride,
               std::size_t n,
@@ -87,7 +87,7 @@ MatchingCost::MatchingCost(const cv::Mat& left, const cv::Mat& right, std::int16
 MatchingCost::Planes MatchingCost::planes_of(const cv::Mat& view, bool from_right_to_left) {
   const int n_bands = view.channels();
   Planes planes;
-  // The last costs of a pixel are computed for as many disparities as there are lanes.
+  // The planes are padded because the last costs of a pixel are computed for a full set of lanes.
   for (cv::Mat* plane : {&planes.value, &planes.low, &planes.high})
     plane->create(view.rows, 2 * n_bands * view.cols + kLanes, CV_8U);
   cv::Mat grey;

@@ -11,8 +11,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// The matrix from rays to pixels of a camera, scaled so that its third row gives the depth of what
-/// lies in front.
+/// The matrix from rays to pixels of a camera, scaled so that its third row gives the depth,
+/// positive in front of the camera.
 Eigen::Matrix3d image_from_ray(const ProjectionMatrix& camera) {
   const Eigen::Matrix3d m = camera.leftCols<3>();
   return m * ((m.determinant() < 0.0 ? -1.0 : 1.0) / m.row(2).norm());
@@ -28,13 +28,13 @@ std::array<Eigen::Vector2d, 4> corners_of(const cv::Size& size) {
   return {{{0.0, 0.0}, {right, 0.0}, {0.0, bottom}, {right, bottom}}};
 }
 
-/// Area of a pixel at x after the homography.
+/// Area of the pixel at x after applying the homography.
 double area_of_pixel(const Eigen::Matrix3d& h, const Eigen::Vector2d& x) {
   const double w = h.row(2).dot(x.homogeneous());
   return std::abs(h.determinant() / (w * w * w));
 }
 
-/// Whether all of an image stays in front after a homography.
+/// Whether the whole image lies on one side of the horizon of a homography.
 bool is_one_sided(const Eigen::Matrix3d& h, const cv::Size& size) {
   const double sign = h.row(2).dot(Eigen::Vector3d(0.0, 0.0, 1.0));
   return std::ranges::all_of(corners_of(size), [&](const Eigen::Vector2d& corner) {
@@ -57,14 +57,14 @@ Eigen::Vector3d Rectification::point_in_local(const Eigen::Vector2d& x_px, doubl
 
 double Rectification::disparity_at_height_px(const Eigen::Vector2d& x_px,
                                              double z_in_local_m) const {
-  const double rise_m = (point_in_local(x_px, 1.0) - left_centre_m).z();  // at a disparity of one
+  const double rise_m = (point_in_local(x_px, 1.0) - left_centre_m).z();  // for a disparity of 1
   return rise_m / (z_in_local_m - left_centre_m.z());
 }
 
 std::optional<Rectification> rectification(const std::array<ProjectionMatrix, 2>& cameras,
                                            const cv::Size& size_px) {
   constexpr double kMinSine = 0.2;
-  // Growth of the image's area. It is 2 for an image that is turned by 45 degrees.
+  // Growth of the image's area. It is 2 for an image rotated by 45 degrees.
   constexpr double kMaxGrowth = 4.0;
   Rectification r;
   r.left_centre_m = projection_centre(cameras[0]).hnormalized();
@@ -91,7 +91,7 @@ std::optional<Rectification> rectification(const std::array<ProjectionMatrix, 2>
     low = low.cwiseMin(seen);
     high = high.cwiseMax(seen);
   }
-  // The area is not finite if a corner lies at the horizon of the base.
+  // The area is not finite if a corner lies on the horizon of the base.
   const double area_px = (high - low).prod();
   if (!(area_px < kMaxGrowth * size_px.area()) || !is_one_sided(unscaled(0), size_px))
     return std::nullopt;

@@ -18,41 +18,41 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Cost of a disparity that is not in the range of the pixel before. More than any other, also with
-/// a penalty.
+/// Cost of a disparity outside the range of the previous pixel. It exceeds all other costs, even
+/// with a penalty added.
 constexpr std::int16_t kNever = 16000;
 
-/// Penalties of a change of disparity along a path, by one pixel and by more.
+/// Penalties for a change of disparity along a path, by one pixel and by more.
 struct Penalties {
   std::int16_t small, large;
 };
 
-/// Those that OpenCV recommends for a block.
+/// The penalties recommended by OpenCV for a block.
 Penalties penalties_of(const cv::Mat& view) {
   const int block = view.channels() * MatchingCost::kBlock_px * MatchingCost::kBlock_px;
   return {static_cast<std::int16_t>(8 * block), static_cast<std::int16_t>(32 * block)};
 }
 
-/// The most that pixels may cost so that the sum over eight paths takes 16 bits, as a path costs at
-/// most the large penalty more.
+/// Upper limit of the costs of a pixel, so that the sum over eight paths fits into 16 bits; a path
+/// costs at most the large penalty more than a pixel.
 std::int16_t most_cost(const Penalties& penalties) {
   constexpr int kMaxPathCost = std::numeric_limits<std::uint16_t>::max() / 8;
   return static_cast<std::int16_t>(kMaxPathCost - penalties.large);
 }
 
-/// The costs of the paths of one direction at the pixels of a row.
+/// The costs of the paths of one direction at the pixels of a row, and the minimum for each pixel.
 struct PathRow {
   std::vector<std::int16_t> costs, least;
 };
 
-/// What a path has cost up to a pixel.
+/// The cost of a path up to a pixel.
 struct PathCost {
-  const std::int16_t* costs;  ///< also one disparity below and above the range
+  const std::int16_t* costs;  ///< including one disparity below and one above the range
   std::int16_t least;
 };
 
-/// Follows a path to the next pixel (Eq. 13 of Hirschmueller 2008), adds what it costs there to the
-/// sums over all paths, and gives the least of these costs.
+/// Follows a path to the next pixel (Eq. 13 of Hirschmueller 2008), adds its costs there to the
+/// sums over all paths, and returns the minimum of these costs.
 std::int16_t follow(const PathCost& before,
                     const std::int16_t* __restrict matching,
                     int n,
@@ -115,7 +115,7 @@ class SemiGlobal {
   }
 
   /// Follows the paths of four directions through all pixels, from the upper left (sign = 1) or
-  /// from the lower right (sign = -1), and tells of every row that is done.
+  /// from the lower right (sign = -1), and calls `row_done` for every finished row.
   template <typename RowDone>
   void follow_four_paths(int sign, const RowDone& row_done) {
     const std::array<cv::Point, 4> steps{{{sign, 0}, {sign, sign}, {0, sign}, {-sign, sign}}};
@@ -134,7 +134,7 @@ class SemiGlobal {
     }
   }
 
-  /// @param before  the row that the step comes from, which is this one for steps along it
+  /// @param before  the row from which the step comes; the same row for steps along it
   void follow_row(int y, int sign, const cv::Point& step, const PathRow& before, PathRow& now) {
     for (int i = 0; i < ranges_.size_px.width; ++i) {
       const int x = sign > 0 ? i : ranges_.size_px.width - 1 - i;
@@ -149,7 +149,7 @@ class SemiGlobal {
     }
   }
 
-  /// What a path has cost up to the pixel `from`, by the disparities of a range.
+  /// The cost of a path up to the pixel `from`, for the disparities of a range.
   PathCost cost_before(const DisparityRange& range, const cv::Point& from, const PathRow& row) {
     const bool starts =
         !cv::Rect(cv::Point(), ranges_.size_px).contains(from) || ranges_.at(from.x, from.y).n == 0;
@@ -178,7 +178,7 @@ class SemiGlobal {
   const DisparityRanges& ranges_;
   CostLayout layout_;
   Penalties penalties_;
-  std::vector<std::int16_t> matching_;  ///< costs of the pixels
+  std::vector<std::int16_t> matching_;  ///< matching costs of the pixels
   std::vector<std::uint16_t> sums_;     ///< sums of the costs of their paths
   std::vector<std::int16_t> in_other_range_;
   std::vector<std::int16_t> at_start_;  ///< the costs before the first pixel of a path, zero

@@ -12,10 +12,10 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr int kMinDistance_px = 3;  // clear of the step at the line by half a block of the matching
-constexpr int kMaxDistance_px = 12;  // places this far are still on the roof
+constexpr int kMinDistance_px = 3;   // half a matching block away from the step at the line
+constexpr int kMaxDistance_px = 12;  // points at this distance are still on the roof
 constexpr double kOnSide_px = 0.6;
-constexpr double kMaxSideSlope = 0.6;  // change of disparity per pixel; walls have more
+constexpr double kMaxSideSlope = 0.6;  // change of disparity per pixel; steeper for walls
 
 struct Sample {
   Eigen::Vector3d by;  ///< 1, t, s
@@ -56,7 +56,8 @@ std::optional<Eigen::Vector3d> plane_through(const std::array<const Sample*, 3>&
   return plane;
 }
 
-/// Sum of the squared distances of the samples from a plane, each at most that of an outlier.
+/// Sum of the squared normalised distances of the samples from a plane, each limited to 1, the
+/// value of an outlier.
 double cost_of(const Eigen::Vector3d& plane, const std::vector<Sample>& samples) {
   double cost = 0.0;
   for (const Sample& s : samples) {
@@ -66,7 +67,7 @@ double cost_of(const Eigen::Vector3d& plane, const std::vector<Sample>& samples)
   return cost;
 }
 
-/// The plane through three samples on which most others lie.
+/// The plane through three samples that has the lowest cost_of().
 std::optional<Eigen::Vector3d> best_plane(const std::vector<Sample>& samples) {
   constexpr int kTries = 60;
   std::minstd_rand random(1);  // the fixed seed makes the result the same in every run
@@ -84,11 +85,11 @@ std::optional<Eigen::Vector3d> best_plane(const std::vector<Sample>& samples) {
   return best;
 }
 
-/// Fits a plane by least squares to samples that lie on one. Neighbours err together, as the
-/// matching smooths.
+/// Fits a plane by least squares to samples that lie on it. The errors of neighbouring samples are
+/// correlated, because the matching smooths.
 SidePlane fitted(const std::vector<Sample>& samples, const Eigen::Vector3d& start) {
-  constexpr double kTogether = 100.0;  // pixels that err together
-  // Sigma of the slope away from the line, px per px: that of roofs.
+  constexpr double kTogether = 100.0;  // number of pixels with a common error
+  // Prior sigma of the slope away from the line, px per px: the spread of roof slopes.
   constexpr double kSlopeSigma = 0.15;
   constexpr double kMinSigma_px = 0.05;
   double squares = 0.0;

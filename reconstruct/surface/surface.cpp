@@ -17,11 +17,12 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Most disparities of a tile. A tile stays unknown if the range of heights has more, or if its
-/// rays do not reach this range.
+/// Maximum number of disparities of a tile. The disparities of a tile stay unknown if the height
+/// range spans more, or if its rays do not reach the height range.
 constexpr double kMaxDisparities = 4096.0;
 
-/// Border of a tile that is matched too, as the paths of the matching must settle.
+/// Margin around a tile that is matched as well, because the matching paths need some pixels to
+/// settle.
 constexpr int kTileMargin_px = 32;
 
 /// Disparities of a tile, [least, least + n).
@@ -51,7 +52,7 @@ SearchRange range_of(const Rectification& r,
   return range;
 }
 
-/// A view in 8 bits, with one band or three, as the matching takes no other number.
+/// A view in 8 bits with one or three bands, the only numbers that the matching accepts.
 cv::Mat in_8_bits(const cv::Mat& image, const Radiometry& left_from_image) {
   const int n_bands = image.channels() < 3 ? 1 : 3;
   cv::Mat bytes(image.size(), CV_8UC(n_bands));
@@ -104,7 +105,7 @@ class Matching {
   /// A part of a rectified view.
   struct RectifiedPart {
     cv::Mat image;
-    cv::Mat from;  ///< the pixel of the file that each rectified pixel shows
+    cv::Mat from;  ///< the file pixel that corresponds to each rectified pixel
     cv::Size size_of_file;
 
     [[nodiscard]] bool shows(int row, int column) const {
@@ -129,7 +130,7 @@ class Matching {
   std::array<cv::Mat, 2> bytes_;
 };
 
-/// The smallest step of rows and columns of a view that leaves at most `most_pixels`.
+/// The smallest step in rows and columns that leaves at most `most_pixels` of a view.
 int step_that_leaves(std::size_t most_pixels, const cv::Size& size) {
   check(most_pixels > 0, "points_in_local: most = 0, must be positive");
   const auto n_left = [&](int step) {

@@ -9,13 +9,13 @@ namespace ridgeline::reconstruct {
 
 /// The options of tracks_of().
 struct TrackOptions {
-  bool all_views = true;  ///< off: the first pair of views alone, as in the papers
-  /// Sigma of each end of a segment across its line, beside those of the two regression lines:
-  /// edges that two views show of one line are not quite the same.
+  bool all_views = true;  ///< off: only the first pair of views, as in the papers
+  /// Sigma of each end of a segment across its line, in addition to the sigmas of the two
+  /// regression lines, because two views do not show exactly the same edge of a line.
   double sigma_edge_px = 0.3;
-  // Not options: a test lowers them.
-  double min_log_odds = 2.0;  ///< of a track against chance
-  double min_margin = 3.0;    ///< log of the odds of its depth against all other depths
+  // Not options; they are variables so that a test can lower them.
+  double min_log_odds = 2.0;  ///< of a track versus chance
+  double min_margin = 3.0;    ///< log of the odds of its depth versus all other depths
 
   static constexpr auto fields() {
     using O = TrackOptions;

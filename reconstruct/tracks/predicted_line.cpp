@@ -10,7 +10,8 @@ namespace {
 
 double square(double x) { return x * x; }
 
-/// Covariance across a regression line of two of its points, given along it from the centroid.
+/// Covariance, across a regression line, of two of its points, given by their distances along the
+/// line from the centroid.
 Eigen::Matrix2d across(const UncertainSegment2& s, const Eigen::Vector2d& from_centroid_px) {
   return square(s.sigma_q_px) * Eigen::Matrix2d::Ones() +
          square(s.sigma_phi_rad) * from_centroid_px * from_centroid_px.transpose();

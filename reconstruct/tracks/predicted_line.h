@@ -12,31 +12,31 @@
 
 namespace ridgeline::reconstruct {
 
-/// A line in the plane of a segment: the heights of the points that the view shows at the segment's
+/// A line in the projection plane of a segment, given by the heights of its points at the segment's
 /// ends.
 struct SegmentDepth {
   Eigen::Vector2d heights_m;
   Eigen::Matrix2d cov_m2;
 };
 
-/// Where a view shows the line of a segment of another view.
+/// The predicted image in a view of the line of a segment of another view.
 struct PredictedLine {
   Segment2 segment;
-  std::array<Eigen::Vector2d, 2> per_height;  ///< shift of the ends by height, px/m
+  std::array<Eigen::Vector2d, 2> per_height;  ///< shift of the ends per metre of height, px/m
 };
 
 PredictedLine predict(const EndStretches& ends, const Eigen::Vector2d& heights_m);
 
-/// The interval of a segment's line that another segment covers, as parameters from its start (0)
-/// to its end (1).
+/// The interval of a segment's line that is covered by another segment, as parameters from the
+/// start (0) to the end (1) of the former.
 std::array<double, 2> span_on(const Segment2& line, const Segment2& other);
 
-/// How far a prediction is from a segment across it, at two places of the prediction.
+/// The offset of a prediction from a segment, across the segment, at two points of the prediction.
 struct PredictionResidual {
   Eigen::Vector2d heights_m;  ///< of the prediction
   Eigen::Vector2d residual_px;
   Eigen::Matrix2d by_heights;
-  Eigen::Matrix2d cov_px2;  ///< of both segments, without that of the heights
+  Eigen::Matrix2d cov_px2;  ///< of both segments, without the contribution of the heights
 
   [[nodiscard]] Eigen::Matrix2d cov_with(const SegmentDepth& depth) const {
     return cov_px2 + by_heights * depth.cov_m2 * by_heights.transpose();
@@ -46,8 +46,8 @@ struct PredictionResidual {
 double chi_square(const PredictionResidual& o, const Eigen::Matrix2d& cov_px2);
 
 /// @param own            the segment whose line is predicted
-/// @param at             two places as parameters of the prediction
-/// @param sigma_edge_px  of each place, beside those of the two segments
+/// @param at             the two points, as parameters of the prediction
+/// @param sigma_edge_px  sigma of each point, in addition to the sigmas of the two segments
 PredictionResidual residual_of(const UncertainSegment2& own,
                                const Eigen::Vector2d& heights_m,
                                const PredictedLine& p,
@@ -55,8 +55,8 @@ PredictionResidual residual_of(const UncertainSegment2& own,
                                const std::array<double, 2>& at,
                                double sigma_edge_px);
 
-/// The heights that observations give together, by least squares. They are not finite if the
-/// observations do not tell them.
+/// The heights determined jointly by the observations, by least squares. They are not finite if the
+/// observations do not determine them.
 SegmentDepth depth_by(std::span<const PredictionResidual> residuals);
 
 }  // namespace ridgeline::reconstruct

@@ -12,11 +12,11 @@
 
 namespace ridgeline::reconstruct {
 
-/// Where a view shows the ends of a segment of another view, by their heights.
+/// The positions in a view of the ends of a segment of another view, as functions of their heights.
 using EndStretches = std::array<Stretch, 2>;
 
-/// The views of a scene whose segments are searched: each view's segments by place, the transfers
-/// between the views, and the matches by their appearance. It borrows the scene.
+/// The views of a scene, prepared for searching segments: a spatial index of each view's segments,
+/// the transfers between the views, and the matches by appearance. It does not own the scene.
 class SearchedViews {
  public:
   SearchedViews(const Scene& scene, std::span<const MatchedPair> pairs);
@@ -32,18 +32,18 @@ class SearchedViews {
   [[nodiscard]] const BoxIndex2& by_place(std::size_t view) const { return views_[view].index; }
   [[nodiscard]] bool shows(std::size_t view, const Eigen::Vector2d& x_px) const;
 
-  /// The other views, the nearest one first.
+  /// The other views, nearest first.
   [[nodiscard]] std::span<const std::size_t> others(std::size_t view) const {
     return views_[view].others;
   }
   [[nodiscard]] EndStretches stretches(const Observation& from, std::size_t to) const;
-  /// The points that a view shows at the ends of a segment, at these heights.
+  /// The object points at the ends of a segment, at the given heights.
   [[nodiscard]] Segment3 object_segment(const Observation& s,
                                         const Eigen::Vector2d& heights_m) const;
 
   enum class MatchState { kUnknown, kMatched, kMatchedElsewhere };
-  /// Whether two segments were matched by their appearance, or one of them with another segment of
-  /// that view.
+  /// Whether two segments were matched with each other by appearance, or one of them was matched
+  /// with a different segment of the other's view.
   [[nodiscard]] MatchState match_state(const Observation& a, const Observation& b) const;
 
  private:

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMaxTurn_rad = 15.0 * kRadPerDeg;  // between a segment and its prediction
 constexpr double kMinOverlap_px = 3.0;
-/// How much more often matches by their appearance are true than false; ours.
+/// Odds that a match by appearance is correct; ours.
 constexpr double kAppearanceOdds = 20.0;
 constexpr double kChiSquare2 = 13.816;  // 99.9 %, 2 degrees of freedom
 
@@ -52,9 +52,9 @@ class Search {
   }
 
  private:
-  /// What a view says about a hypothesis.
+  /// The evidence of a view for or against a hypothesis.
   struct Answer {
-    double log_odds = 0.0;  ///< the logarithm of what it multiplies the odds by
+    double log_odds = 0.0;  ///< logarithm of the factor for the odds
     std::optional<std::pair<int, PredictionResidual>> seen;
   };
 
@@ -82,8 +82,8 @@ class Search {
     }
   }
 
-  /// The interval of the prediction that a segment shares with it; nothing if it is too short or
-  /// the segment turns away.
+  /// The interval of the prediction that overlaps a segment; std::nullopt if it is too short or the
+  /// directions differ too much.
   [[nodiscard]] std::optional<std::array<double, 2>> overlap(const PredictedLine& p,
                                                              const Segment2& seen) const {
     if (acute_angle_rad(seen, p.segment) > kMaxTurn_rad) return std::nullopt;
@@ -107,7 +107,7 @@ class Search {
     return std::abs(d.z()) <= std::tan(candidates_.max_slope_deg * kRadPerDeg) * d.head<2>().norm();
   }
 
-  /// The lines of the segment with each of a view's segments.
+  /// The lines defined by the segment and each of a view's segments.
   [[nodiscard]] std::vector<Hypothesis> hypotheses(std::size_t view) const {
     const auto& [lowest_m, highest_m] = views_.heights_m();
     const EndStretches& ends = ends_[view];
@@ -125,7 +125,8 @@ class Search {
     return all;
   }
 
-  /// The observation of a segment by the line that it gives, without residuals.
+  /// The observation of a segment by the line that it defines together with the reference; its
+  /// residuals are zero.
   [[nodiscard]] std::optional<PredictionResidual> intersection_with(const Observation& seen) const {
     const EndStretches& ends = ends_[seen.view];
     const UncertainSegment2& line = views_.line(seen);
@@ -142,7 +143,7 @@ class Search {
     return residual_of(own_, heights_m, p, line, {0.0, 1.0}, options_.sigma_edge_px);
   }
 
-  /// Asks all views but the first for the line of a hypothesis.
+  /// Adds the evidence of all views except the first to a hypothesis.
   void follow(std::size_t first, Hypothesis& h) const {
     for (const std::size_t view : views_.others(reference_.view)) {
       if (view == first) continue;
@@ -159,9 +160,9 @@ class Search {
     return track;
   }
 
-  /// What a view shows of a line; nothing if the line is not in its image.
+  /// The evidence of a view for a line; std::nullopt if the line is not in its image.
   [[nodiscard]] std::optional<Answer> ask(std::size_t view, const SegmentDepth& depth) const {
-    constexpr double kWindow_px = 12.0;  // to each side of the prediction, for the density
+    constexpr double kWindow_px = 12.0;  // on each side of the prediction, for the density
     constexpr double kMaxReach_px = 40.0;
     constexpr double kReachSigma = 3.5;
     const PredictedLine p = predict(ends_[view], depth.heights_m);
@@ -196,12 +197,13 @@ class Search {
       best_ratio = ratio;
       answer.seen = std::pair{seen.segment, o};
     }
-    // One more than are seen, so that a lonely segment is not certain either.
+    // 0.5 is added so that even a single segment is not certain.
     answer.log_odds = std::log(1.0 - kSeenShare + kSeenShare * best_ratio / (n_parallel + 0.5));
     return answer;
   }
 
-  /// The track of the largest odds, if it wins over those of other heights.
+  /// The track with the largest odds, if it is sufficiently more likely than those with other
+  /// heights.
   [[nodiscard]] std::optional<ProposedTrack> decided(std::vector<ProposedTrack>& all) const {
     constexpr double kSame_m = 0.3;
     const auto of_same_height = [&](const ProposedTrack& a, const ProposedTrack& b) {
@@ -247,7 +249,7 @@ void add_pieces(const SearchedViews& views,
                 const IsFree& is_free,
                 ProposedTrack& track) {
   constexpr double kBeside_px = 1.5;
-  constexpr double kMinShareWithin = 0.7;  // share of a piece within the part that a view shows
+  constexpr double kMinShareWithin = 0.7;  // share of a piece within the part covered by the track
   const UncertainSegment2& own = views.line(track.base());
   std::vector<PredictedLine> predictions;
   std::array<double, 2> part{0.0, 1.0};

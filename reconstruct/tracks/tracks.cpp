@@ -16,7 +16,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Which segments are in a track already.
+/// Records which segments are already in a track.
 class TakenSegments {
  public:
   explicit TakenSegments(const SearchedViews& views) {
@@ -34,7 +34,7 @@ class TakenSegments {
   std::vector<std::vector<char>> is_taken_;
 };
 
-/// The tracks of three views and more.
+/// The tracks of three or more views.
 std::vector<Track> tracks_by_geometry(const SearchedViews& views,
                                       const CandidateOptions& candidates,
                                       const TrackOptions& options,
@@ -86,12 +86,13 @@ bool is_near_aligned(const Scene& scene,
   return epipolar_angle_rad(cameras, segment(a), segment(b)) <= max_angle_deg * kRadPerDeg;
 }
 
-/// Adds the tracks of two views: matches whose segments are in no track.
+/// Adds tracks of two views from matches by appearance whose segments are in no track, and extends
+/// near-aligned ones to further views.
 void add_tracks_by_appearance(const Scene& scene,
                               std::span<const MatchedPair> pairs,
                               TakenSegments& taken,
                               std::vector<Track>& tracks) {
-  std::map<Observation, std::size_t> aligned;  // track by segment
+  std::map<Observation, std::size_t> aligned;  // index of the track of each segment
   for (const auto& [views, matches] : pairs) {
     for (const Correspondence& match : matches) {
       const Observation base{views.base, match.base};

@@ -11,18 +11,18 @@
 
 namespace ridgeline::reconstruct {
 
-/// What the views of a scene show of one edge each.
+/// The tracks of a scene; each one collects the segments of all views that show the same edge.
 ///
-/// First, each segment of each view proposes the track of its line over three views or more
-/// (propose_track()). The proposals are taken in the order of their odds, and each segment is in
-/// one track; a proposal that has lost a segment is made again without it. Then the matches by
-/// their appearance whose segments are both left make tracks of two views. If one segment has such
-/// matches with several views, nearly along the epipolar lines of all of them, it is one track,
-/// because geometry tells no depth there.
+/// First, each segment of each view proposes the track of its line over three or more views
+/// (propose_track()). The proposals are accepted in the order of their odds, and each segment is in
+/// at most one track; a proposal that has lost a segment to another track is recomputed without it.
+/// Then the matches by appearance whose two segments are both left become tracks of two views. If a
+/// segment has such matches with several views, nearly along the epipolar lines of all of them,
+/// they form one track, because geometry cannot determine the depth there.
 ///
-/// The first two observations of a track are of a pair that was matched, if its views are of one,
-/// so that what is known of a pair (its surface) can be used.
-/// @param pairs  the matches by their appearance
+/// If possible, the first two observations of a track belong to a pair that was matched, so that
+/// the data of the pair (its surface) can be used.
+/// @param pairs  the matches by appearance
 /// The result is the same for any number of threads. Throws std::invalid_argument for options out
 /// of range.
 std::vector<Track> tracks_of(const Scene& scene,

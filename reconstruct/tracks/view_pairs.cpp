@@ -17,8 +17,8 @@ double middle_height_m(const Scene& scene) {
   return 0.5 * (scene.height_range_in_local_m[0] + scene.height_range_in_local_m[1]);
 }
 
-/// Share of a view's pixels whose points at the middle of the heights another view shows, by a grid
-/// of them.
+/// Share of a view's pixels, on a regular grid, whose points at the given height are visible in
+/// another view.
 double shown_share(const View& view, const View& other, double height_m) {
   constexpr int kPerSide = 9;
   const Plane3 level(Eigen::Vector3d::UnitZ(), -height_m);
@@ -36,17 +36,17 @@ double shown_share(const View& view, const View& other, double height_m) {
   return static_cast<double>(n_shown) / (kPerSide * kPerSide);
 }
 
-/// What is against a pair: less is better.
+/// The cost of choosing a pair; lower is better.
 struct PairCost {
-  bool is_makeshift = false;  ///< the views show little in common
-  /// How far the base-to-height ratio is from the best one; of a makeshift how little the views
-  /// show in common.
+  bool is_makeshift = false;  ///< the views have little in common
+  /// Deviation of the base-to-height ratio from the best one; for a makeshift pair, the negative
+  /// share that the views have in common.
   double value = 0.0;
 
   auto operator<=>(const PairCost&) const = default;
 };
 
-/// Nothing for a pair that shows no place in common.
+/// std::nullopt for a pair with too little in common.
 std::optional<PairCost> cost_of(const Scene& scene, const ViewPair& pair) {
   constexpr double kBest = 0.3;
   constexpr double kUsualShare = 0.3;
@@ -65,7 +65,7 @@ CommonPlace common_place(const Scene& scene, const ViewPair& pair) {
   const double height_m = middle_height_m(scene);
   const Eigen::Vector3d centre_a = projection_centre(a.image_from_local).hnormalized();
   const Eigen::Vector3d centre_b = projection_centre(b.image_from_local).hnormalized();
-  // cameras that look up are below what they show
+  // Cameras that look up are below the place that they show.
   const double way_m = std::abs(0.5 * (centre_a.z() + centre_b.z()) - height_m);
   return {std::min(shown_share(a, b, height_m), shown_share(b, a, height_m)),
           (centre_b - centre_a).norm() / way_m};

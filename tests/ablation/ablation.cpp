@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // ablation FOLDER [--views VIEWS] [--held-out] [--only NAME[+NAME...],...] [--patch VAIHINGEN]:
-// what each extension beyond the papers is worth. Leaves out one at a time, or those joined by `+`
-// together, on the training villages (seeds 1 to 8 and 21 to 28) and on seeds 1 to 10 of the other
-// renderer; with --held-out, on seeds 101 to 110 of both. With --views, which takes what `simulate
-// --views` takes (strip:3,cross:2 for example), on the first three of them. Prints Markdown tables:
-// matches, roof lines found, errors by class against true lines, z against LIDAR, processor time,
-// and the difference to the default with a 95 % interval by bootstrap over the scenes. Vaihingen
-// has only LIDAR: the interval there is that of the clustered bootstrap over planes.
+// measures the gain from each extension beyond the papers. Disables the extensions one at a time
+// (those joined by `+` together) on the training villages (seeds 1 to 8 and 21 to 28) and on seeds
+// 1 to 10 of the other renderer; with --held-out, on seeds 101 to 110 of both. With --views, in the
+// format of `simulate --views` (for example strip:3,cross:2), only on the first three of these
+// scenes. Prints Markdown tables: matches, roof lines found, errors by class against true lines, z
+// against LIDAR, processor time, and the difference from the default with a 95 % bootstrap interval
+// over the scenes. Vaihingen has only LIDAR, so its interval is from a clustered bootstrap over
+// planes.
 #include "tests/other_scenes/write_scene.h"
 #include "tests/support/csv_rows.h"
 #include "tests/support/paths.h"
@@ -37,7 +38,7 @@ namespace {
 namespace fs = std::filesystem;
 using ridgeline::test::CsvRow;
 
-/// An extension, and the entry of a config file that leaves it out.
+/// An extension, and the entry of a config file that disables it.
 struct Extension {
   const char* name;
   const char* group;
@@ -62,24 +63,24 @@ constexpr std::array kExtensions{
     Extension{"gable_share", "reconstruct", "gable_share: 0"},
     Extension{"step_share", "reconstruct", "step_share: 0"}};
 
-/// Extensions that are left out together; the default leaves out none.
+/// Extensions that are disabled together; the default disables none.
 struct Variant {
   std::string name;
   std::vector<Extension> left_out;
 };
 
-/// What to run.
+/// The requested runs.
 struct Plan {
   fs::path folder;
-  std::string views;  ///< as `simulate --views` takes them; empty: a pair
+  std::string views;  ///< in the format of `simulate --views`; empty: a pair
   bool is_held_out = false;
   std::vector<Variant> variants{{"default", {}}};
-  std::string vaihingen;  ///< its patch file; empty: left out
+  std::string vaihingen;  ///< patch file of Vaihingen; empty: not run
 };
 
-constexpr int kScenesOfManyViews = 3;  // by renderer
+constexpr int kScenesOfManyViews = 3;  // per renderer
 
-/// What one variant reaches on one scene.
+/// Results of one variant on one scene.
 struct SceneFigures {
   double correct = 0.0, wrong = 0.0, missed = 0.0;
   double roof_lines = 0.0, roof_found = 0.0;
@@ -99,7 +100,7 @@ void check(bool holds, const std::string& what) {
   if (!holds) throw std::runtime_error(what);
 }
 
-/// The figures of `method` by scene, from the tables of a run.
+/// The results of `method` by scene, from the tables of a run.
 std::map<std::string, SceneFigures> figures_of(const fs::path& results, const std::string& method) {
   std::map<std::string, SceneFigures> scenes;
   for (const CsvRow& row : ridgeline::test::read_csv(results / "table1.csv")) {
@@ -182,8 +183,8 @@ const std::vector<Measure>& measures() {
   return all;
 }
 
-/// 95 % interval of the difference of a measure of all scenes, both variants on the same scenes
-/// drawn with replacement.
+/// 95 % bootstrap interval of the difference of a measure over all scenes; both variants are
+/// evaluated on the same scenes, drawn with replacement.
 std::array<double, 2> interval(const Measure& measure, const Scenes& with, const Scenes& without) {
   constexpr int kReplicates = 2000;
   std::mt19937_64 random(1);
@@ -214,8 +215,8 @@ std::string config_of(const Variant& variant) {
   return config;
 }
 
-/// Runs all variants on the patches; the results of each in a folder of its name. Returns their
-/// processor times.
+/// Runs all variants on the patches; the results of each go into a folder with its name. Returns
+/// their processor times.
 std::map<std::string, double> run_variants(const std::vector<Variant>& variants,
                                            const fs::path& folder,
                                            const std::vector<std::string>& patches) {
@@ -289,7 +290,7 @@ void print_set(const std::string& title,
   }
 }
 
-/// The seeds of a set of scenes: those for training, or those held out.
+/// The seeds of a set of scenes: the given training seeds, or the held-out ones.
 std::vector<int> seeds_of(const Plan& plan, std::vector<int> seeds) {
   if (plan.is_held_out) seeds = {101, 102, 103, 104, 105, 106, 107, 108, 109, 110};
   if (!plan.views.empty()) seeds.resize(kScenesOfManyViews);
@@ -374,7 +375,7 @@ Variant variant_of(const std::string& name) {
   return variant;
 }
 
-/// Throws std::runtime_error for arguments that are not known.
+/// Throws std::runtime_error for unknown arguments.
 Plan plan_of(const std::vector<std::string>& arguments) {
   check(!arguments.empty(), "usage: see the head of ablation.cpp");
   Plan plan;

@@ -15,8 +15,8 @@
 
 namespace ridgeline::test {
 
-/// Cuts a cloud at whole multiples of `tile_m` in its local frame into FOLDER/COLUMN_ROW.las. No
-/// point is left out.
+/// Cuts a cloud at whole multiples of `tile_m` in its local frame into FOLDER/COLUMN_ROW.las. All
+/// points are kept.
 inline void cut_cloud(const std::filesystem::path& cloud_file,
                       const std::filesystem::path& folder,
                       double tile_m) {

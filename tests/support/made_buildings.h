@@ -11,8 +11,8 @@
 
 namespace ridgeline::test {
 
-/// Shapes of roofs. In the building's own frame the ridge is parallel to x and the footprint's
-/// middle is the origin.
+/// Shapes of roofs. In the building's own frame the ridge is parallel to x and the origin is the
+/// centre of the footprint.
 enum class RoofShape : std::uint8_t {
   kGable,
   kHip,
@@ -23,37 +23,38 @@ enum class RoofShape : std::uint8_t {
   kFlat,     ///< level, with a parapet all round
   kLShape,   ///< two gabled wings of equal width: one valley, one hip
   kTShape,   ///< gable with a narrower gabled wing in the middle of its side at -y: two valleys
-  kDormer,   ///< gable with a gabled dormer on its side at -y, whose cut-out is a hole of the main
+  kDormer,   ///< gable with a gabled dormer on its side at -y, whose cut-out is a hole in the main
              ///< face
   kAnnex,    ///< gable with a lean-to in front of its wall at +y
 };
 inline constexpr int kNumRoofShapes = 11;
 
-/// What a made building is like. Its foot is level, at the height of `position`.
+/// The shape, size and pose of a building to make. Its base is level, at the height of
+/// `position`.
 struct BuildingSpec {
   RoofShape shape = RoofShape::kGable;
   double length_m = 12.0;  ///< along the ridge; of both wings of an L
   double width_m = 8.0;    ///< of a wing of an L
   double eave_height_m = 5.0;
-  double pitch_deg =
-      35.0;  ///< of the upper faces of a mansard; of a lean-to 15 degrees whatever this is
+  double pitch_deg = 35.0;   ///< of the upper faces of a mansard; a lean-to always has 15 degrees
   double azimuth_deg = 0.0;  ///< turns the building about z, counter-clockwise from above
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the middle of its foot, local
-  /// Whether one roof face of four corners is two coplanar ones, while its neighbours keep their
-  /// whole edges.
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the centre of its base, local
+  /// Whether one roof face with four corners is split into two coplanar ones, while its neighbours
+  /// keep their undivided edges.
   bool t_junctions = false;
 };
 
 enum class MadeSurface : std::uint8_t { kRoof, kWall, kGround };
 
-/// A flat face. The outer ring, then holes; the outer one runs counter-clockwise as seen from
-/// outside of the building, holes clockwise. No vertex is repeated at a ring's end.
+/// A flat face. The outer ring comes first, then the holes; seen from outside the building, the
+/// outer ring runs counter-clockwise and holes clockwise. The first vertex is not repeated at the
+/// end of a ring.
 struct MadeFace {
   MadeSurface kind = MadeSurface::kRoof;
   std::vector<std::vector<Eigen::Vector3d>> rings;  ///< local, m
 };
 
-/// What an edge of a roof is, in the words of evaluate/judge/roof_kind.h.
+/// The kind of a roof edge, in the terms of evaluate/judge/roof_kind.h.
 ///   ridge   level, two roof faces fall away from it (also the kink of a mansard)
 ///   hip     inclined, two roof faces fall away from it
 ///   valley  two roof faces rise from it
@@ -67,15 +68,15 @@ struct MadeEdge {
   Segment3 segment;  ///< local, m
 };
 
-/// A building as a closed shell: each edge of a face is the edge of one other face, the other way
-/// round, unless the spec asks for T-junctions. Roof faces come first.
+/// A building as a closed shell: each edge of a face is shared by exactly one other face, in the
+/// opposite direction, unless the spec asks for T-junctions. Roof faces come first.
 struct MadeBuilding {
   BuildingSpec spec;
   std::vector<MadeFace> faces;
-  std::vector<MadeEdge> edges;  ///< each edge of the roof once, whole also at T-junctions
+  std::vector<MadeEdge> edges;  ///< each edge of the roof once, undivided even at T-junctions
 };
 
-/// Throws std::invalid_argument if the sizes do not give the shape (a hip roof wider than long).
+/// Throws std::invalid_argument if the sizes do not allow the shape (a hip roof wider than long).
 MadeBuilding make_building(const BuildingSpec& spec);
 
 /// The edges of the roof of a closed shell.

@@ -12,7 +12,7 @@ namespace ridgeline::test {
 
 using MadeRing = std::vector<Eigen::Vector3d>;
 
-/// The faces of a building while it is made.
+/// The faces of a building under construction.
 struct MadeShell {
   std::vector<MadeFace> faces;
 
@@ -21,11 +21,11 @@ struct MadeShell {
     add(MadeSurface::kRoof, {std::move(ring), std::move(hole)});
   }
   void wall(MadeRing ring) { add(MadeSurface::kWall, {std::move(ring)}); }
-  /// The face that closes a building from below; `ring` is counter-clockwise from above.
+  /// Adds the face that closes a building from below; `ring` is counter-clockwise from above.
   void ground(MadeRing ring) { add(MadeSurface::kGround, {MadeRing(ring.rbegin(), ring.rend())}); }
-  /// Walls from the border of the faces down to z = 0 and the ground within; the border must be one
-  /// ring that is a simple polygon in plan. Edges on one line in plan, as the verges of a gable,
-  /// get one wall.
+  /// Adds walls from the border of the faces down to z = 0, and the ground between them; the border
+  /// must be a single ring that is a simple polygon in plan. Edges on one line in plan, such as the
+  /// verges of a gable, share one wall.
   void close_to_ground();
 
  private:
@@ -35,7 +35,7 @@ struct MadeShell {
   [[nodiscard]] MadeRing border() const;
 };
 
-/// The faces of a shape in its own frame, foot at z = 0.
+/// The faces of a shape in its own frame, with the base at z = 0.
 MadeShell shell_of(const BuildingSpec& spec);
 
 }  // namespace ridgeline::test

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paths of what tests use but do not make themselves. One source knows these paths, so that the
-// objects of all others are the same in every checkout and a compiler cache serves them.
+// Paths of files that tests use but do not create. Only one source file contains these paths, so
+// the object files of all others are the same in every checkout and a compiler cache can serve
+// them.
 #pragma once
 
 #include <string>
@@ -8,8 +9,8 @@
 namespace ridgeline::test {
 
 std::string source_dir();       ///< the checkout
-std::string shared_data_dir();  ///< real data beside the checkout; a test skips with a message
-                                ///< where it is absent
+std::string shared_data_dir();  ///< real data next to the checkout; if it is missing, a test is
+                                ///< skipped with a message
 std::string program();          ///< the built `ridgeline`
 
 }  // namespace ridgeline::test

@@ -5,7 +5,7 @@
 
 namespace ridgeline::test {
 
-/// The processor time of this process so far, which other programs on the machine hardly change.
+/// The processor time used by this process so far; other programs on the machine hardly affect it.
 inline double processor_s() {
   return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
 }

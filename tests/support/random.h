@@ -9,8 +9,8 @@
 
 namespace ridgeline::test {
 
-/// Seeded random numbers that are the same on every machine. Those of the standard distributions
-/// are not.
+/// Seeded random numbers that are the same on every machine, unlike those of the standard
+/// distributions.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -18,7 +18,7 @@ class Random {
   double uniform(double low, double high) {
     return low + (high - low) * static_cast<double>(engine_() >> 11U) * 0x1.0p-53;
   }
-  /// A normal number of mean 0 (Box-Muller).
+  /// A normally distributed number with mean 0 (Box-Muller).
   double normal(double sigma) {
     const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform(0.0, 1.0)));
     return sigma * radius * std::cos(uniform(0.0, 6.283185307179586));

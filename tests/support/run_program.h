@@ -15,23 +15,23 @@ namespace ridgeline::test {
 #ifndef RIDGELINE_IS_SANITIZED
 #define RIDGELINE_IS_SANITIZED false
 #endif
-/// Whether the programs are built with the address sanitizer, whose own memory breaks limits of
-/// memory.
+/// Whether the programs are built with the address sanitizer, whose own memory use exceeds memory
+/// limits.
 inline constexpr bool kIsSanitized = RIDGELINE_IS_SANITIZED;
 
-/// What a program left behind.
+/// The outcome of a program that has ended.
 struct ProgramResult {
-  int exit_code = 0;  ///< 128 + n if signal n ended it, as a shell says
+  int exit_code = 0;  ///< 128 + n if signal n ended it, as in a shell
   std::string out, err;
-  double processor_s = 0.0;  ///< of all threads, which other programs on the machine hardly change
+  double processor_s = 0.0;  ///< of all threads; other programs on the machine hardly affect it
   double peak_memory_mib = 0.0;
 };
 
 /// Runs `program` with `arguments` in `folder`, without a shell and with stdin at /dev/null, and
-/// waits for its end. `environment` holds NAME=value pairs that are set on top of this process's.
-/// With a `processor_limit_s` above 0 SIGXCPU ends it after that time of all its threads, however
-/// busy the machine is, and SIGALRM ends one that waits for much longer. Throws std::system_error
-/// if the program cannot be started.
+/// waits until it ends. `environment` holds NAME=value pairs that are set in addition to the
+/// environment of this process. With a `processor_limit_s` above 0, SIGXCPU ends the program once
+/// its threads together have used that time, however busy the machine is, and SIGALRM ends it if it
+/// waits for much longer. Throws std::system_error if the program cannot be started.
 ProgramResult run_program(const std::string& program,
                           const std::vector<std::string>& arguments,
                           const std::filesystem::path& folder,

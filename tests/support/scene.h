@@ -24,17 +24,17 @@ simulate::SyntheticScene gabled_house(double pitch_deg, double azimuth_deg = 0.0
 simulate::SyntheticScene hipped_house(double pitch_deg, double azimuth_deg = 0.0);
 simulate::SyntheticScene flat_house(double azimuth_deg = 0.0);
 
-/// A point of the top surface and the plane it lies on.
+/// A point of the top surface and the plane on which it lies.
 struct SurfaceSample {
   Eigen::Vector3d x;  ///< local
   int plane_id;
 };
 
-/// Finds the top surface of a scene from its planes alone, without ray casting.
+/// Finds the top surface of a scene from its planes, without ray casting.
 class TopSurface {
  public:
   explicit TopSurface(const simulate::SyntheticScene& scene);
-  /// The uppermost plane over a plan position; plane_id is kNone outside of all planes.
+  /// The uppermost plane over a plan position; plane_id is kNone outside all planes.
   [[nodiscard]] SurfaceSample at(const Eigen::Vector2d& x) const;
 
  private:
@@ -49,7 +49,8 @@ class TopSurface {
 /// Noise-free points of the top surface on a square grid over the extent.
 std::vector<SurfaceSample> sample_grid(const simulate::SyntheticScene& scene, double spacing_m);
 
-/// Samples as a cloud in the frame of the scene: class 2 on ground, 6 on roofs, one return each.
+/// Samples as a cloud in the frame of the scene: class 2 on the ground, 6 on roofs, one return
+/// each.
 io::PointCloud cloud_of(const simulate::SyntheticScene& scene,
                         const std::vector<SurfaceSample>& samples);
 

@@ -48,7 +48,7 @@ class TempFolder {
   std::filesystem::path path_;
 };
 
-/// The message of the IoError that `call` throws, empty if it throws none.
+/// The message of the IoError that `call` throws; empty if it throws none.
 template <typename Call>
 std::string io_error_of(Call&& call) {
   try {

@@ -2,9 +2,9 @@
 """3D line segments from oriented aerial images, judged against LIDAR.
 
     result = ridgeline.evaluate("roofs.gpkg", "tile.laz")
-    print(result)                                # the table of accuracy
+    print(result)                                # the accuracy table
     result.lines["mean_distance_m"]              # an array with one number per line
-    result.to_geopackage("judged.gpkg")          # the map of errors
+    result.to_geopackage("judged.gpkg")          # the error map
 
 Coordinates are map coordinates in the units of the files; distances are metres. An invalid value
 raises ValueError, an invalid file InputFileError (an OSError) or FileNotFoundError. Long calls

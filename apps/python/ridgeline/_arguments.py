@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How arguments reach the extension module."""
+"""Conversion of arguments for the extension module."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ def paths_of(value: Path | Sequence[Path], name: str = "paths") -> list[str]:
 
 
 def double_of(array: ArrayLike, name: str, *, strict: bool = False) -> NDArray[np.float64]:
-    """Contiguous doubles; masked entries become NaN. Warns, or raises if `strict`, if float32 has
-    lost digits of coordinates.
+    """Contiguous doubles; masked entries become NaN. If float32 has lost digits of coordinates,
+    warns, or raises if `strict`.
     """
     given: Any = np.asarray(array)
     if isinstance(array, np.ma.MaskedArray):
@@ -64,8 +64,8 @@ def _group(name: str, group: Any) -> dict[str, Any]:
 
 
 def config_entries(config: Config | None, judge: Mapping[str, Any] | None = None) -> dict[str, Any]:
-    """Entries for a config file, or a mapping as `ridgeline config` prints it, and more parameters
-    of its group `judge`.
+    """Entries for a config file, or for a mapping with the structure printed by `ridgeline config`,
+    and further parameters of its group `judge`.
     """
     entries: dict[str, Any] = {}
     groups: dict[str, Any] = {}
@@ -81,14 +81,13 @@ def config_entries(config: Config | None, judge: Mapping[str, Any] | None = None
 
 
 def new_file(path: Path, overwrite: bool) -> str:
-    """The path as text. Raises FileExistsError if the path exists, unless `overwrite`.
-    """
+    """The path as text. Raises FileExistsError if the path exists, unless `overwrite`."""
     if os.path.lexists(path) and not overwrite:
         raise FileExistsError(f"{os.fspath(path)}: already exists; overwrite=True replaces it")
     return os.fspath(path)
 
 
 def warn(messages: Iterable[str]) -> None:
-    """Warns at the line that calls the package; options lose their backticks, as in errors."""
+    """Warns at the line that calls the package; removes backticks around options, as in errors."""
     for message in messages:
         warnings.warn(message.replace("`", ""), UserWarning, stacklevel=3)

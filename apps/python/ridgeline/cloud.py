@@ -68,7 +68,7 @@ class Cloud:
 def cloud_options(
     bounds: Sequence[float] | None, classes: Iterable[int] | None, **others: float | bool | str
 ) -> dict[str, Any]:
-    """The options of reading a cloud for the extension module."""
+    """The options for reading a cloud, for the extension module."""
     return {
         "bounds": None if bounds is None else [float(b) for b in bounds],
         "classes": None if classes is None else [int(c) for c in classes],
@@ -100,9 +100,9 @@ def read_cloud(
     max_resolution_m: read COPC only down to this point distance; 0: all.
     max_points: largest number of points to keep; 0: no limit.
     assume_crs: reference system of the files, overriding theirs.
-    strict: refuse coordinates in steps above 0.025 m (float32, too few digits). salvage: read what
-    is left of a truncated file. Warns about suspicious inputs. Raises FileNotFoundError,
-    InputFileError and ValueError.
+    strict: refuse coordinates in steps above 0.025 m (float32, too few digits).
+    salvage: read what is left of a truncated file.
+    Warns about suspicious inputs. Raises FileNotFoundError, InputFileError and ValueError.
     """
     options = cloud_options(
         bounds,

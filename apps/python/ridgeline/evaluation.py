@@ -21,7 +21,7 @@ from ridgeline.cloud import Cloud, cloud_options
 from ridgeline.lines import Lines, segments_of
 from ridgeline.reconstruction import View, view_entries
 
-#: Columns of the tables that are texts whatever they look like.
+#: Columns of the tables that are always read as text.
 TEXTS = ("patch", "method", "class", "kind", "reference")
 
 #: What evaluate() takes as lines.
@@ -38,11 +38,12 @@ class Result:
     def lines(self) -> dict[str, Any]:
         """All lines in input order: arrays (n,) by name, ready for pandas.DataFrame().
 
-        id, line_class, kind: "step", "ridge" or "". status: "evaluated", or the cause why not, with
-            a reason.
+        id, line_class, kind: "step", "ridge" or "". status: "evaluated", or why the line was
+            not, with details in reason.
         surface: the most probable surface bounded by the line: "upper", "lower", "ground", "ridge",
-        "object", with surface_probability; surface_other: the second most probable one; decided_by:
-        the evidence that decided, "plan", "images", "points", "place". "" and NaN if unknown.
+            "object", with surface_probability; surface_other: the second most probable one;
+            decided_by: the evidence that decided, "plan", "images", "points", "place". "" and NaN
+            if unknown.
         flags, plane_ids: a list for each line.
         length_m, epipolar_angle_deg.
         n_images: number of images that support the line, NaN if unknown; class_base: with three or
@@ -51,7 +52,7 @@ class Result:
             max_distance_m, signed_mean_m.
         sigma_plane_m, sigma_line_m: standard deviations of planes and line; z: the signed distance
             divided by both.
-        horizontal_m, vertical_m: the error of a ridge, across it in plan and in height.
+        horizontal_m, vertical_m: the error of a ridge, across it in plan, and in height.
         Distances are metres, and NaN for a line that was not evaluated.
         """
         columns = dict(self._judged.lines())
@@ -86,16 +87,16 @@ class Result:
         median_m, q95_m, ...
 
         n_half_of_squares: number of the worst lines that contribute half of the sum of squares;
-        rms_without_half_m: the RMS of the others. decided_by: the same figures for lines whose
-            surface was chosen by plan and images ("plan_images", the headline) and by points or
-            place ("points_place").
+            rms_without_half_m: the RMS of the others.
+        decided_by: the same figures for lines whose surface was chosen by plan and images
+            ("plan_images", the headline) and by points or place ("points_place").
         """
         figures: dict[str, dict[str, Any]] = self.to_dict()["summary"]
         return figures
 
     @cached_property
     def shift(self) -> dict[str, Any] | None:
-        """The common shift of all lines from the LIDAR planes, None if no line was judged.
+        """The common shift between lines and LIDAR planes; None if no line was judged.
 
         axes: "x", "y" and "z" with shift_m and ci95_m, or None for an axis that the planes do not
         determine. significant, likely_cause, applied, ... as in the file evaluation.METHOD.json
@@ -129,8 +130,8 @@ class Result:
     @cached_property
     def tables(self) -> dict[str, list[dict[str, Any]]]:
         """The tables by name, each row a dict: table2 and parts; tolerances; decoys; with reference
-        lines reference_errors, reference_completeness and wireframe; of models buildings, faces and
-        kinds. Columns as in the files of that name (docs/outputs.md)."""
+        lines, reference_errors, reference_completeness and wireframe; for models, buildings, faces
+        and kinds. Columns as in the files of the same name (docs/outputs.md)."""
         return {name: [_typed(row) for row in csv.DictReader(io.StringIO(text))] for name, text in self._judged.tables()}
 
     @cached_property
@@ -147,8 +148,8 @@ class Result:
         """Writes the map: the lines, coloured by distance, their planes and error vectors, with
         styles for QGIS.
 
-        schema: "plain" or "fkb". Raises FileExistsError unless overwrite. An input file of
-            evaluate() is never overwritten.
+        schema: "plain" or "fkb". Raises FileExistsError if the file exists, unless overwrite. An
+        input file of evaluate() is never overwritten.
         """
         self._judged.write_map(new_file(path, overwrite), schema)
 
@@ -210,7 +211,7 @@ def evaluate(
     """Judges 3D lines by their orthogonal distances from adjacent LIDAR planes, like `ridgeline
     evaluate`.
 
-    lines: a file of any tool (see read_lines()), Lines, or an array (n, 2, 3) or (n, 6) of start
+    lines: a line file of any tool (see read_lines()), Lines, or an array (n, 2, 3) or (n, 6) of start
         and end.
     cloud: files or patterns (see read_cloud()), a Cloud, or an array (n, 3). Coordinates are map
         coordinates.
@@ -219,9 +220,9 @@ def evaluate(
     views, height_range_m: views in memory instead of a patch file, as for reconstruct().
     reference_lines: true lines, given as `lines` are; they add true errors, precision and
         completeness.
-    config: a file of `ridgeline config`, or a mapping {"judge": {...}}.
-    bounds ... salvage: how the cloud is read, as for read_cloud(). vertex_pairs, lod: as for
-        read_lines().
+    config: a config file (see `ridgeline config`), or a mapping {"judge": {...}}.
+    bounds ... salvage: options for reading the cloud, as for read_cloud().
+    vertex_pairs, lod: as for read_lines().
     scale_to_ground: divide plan coordinates by the local map scale, as needed for Web Mercator; by
         default, data that are not true to scale are refused.
     apply_shift: remove a significant common shift between lines and LIDAR planes before judging
@@ -235,8 +236,8 @@ def evaluate(
     name: name of the patch in the tables; default: that of the patch file or the cloud.
     max_aligned_angle_deg: largest angle to the epipolar line of aligned lines; default: that of
         config, or 10.
-    gross_m: distance above which a line is a gross error. sigma_sys_m: systematic part of the
-        accuracy of the cloud.
+    gross_m: distance above which a line is a gross error.
+    sigma_sys_m: systematic part of the accuracy of the cloud.
     bootstrap_replicates, bootstrap_seed, bca: bootstrap of the 95 % intervals.
     judge: parameters of the judge by their names in `ridgeline config`: lidar_sigma_m (range noise
         of the cloud), corridor_half_width_m, inlier_distance_m, min_points, seed, ...

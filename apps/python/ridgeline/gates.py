@@ -23,12 +23,12 @@ def _text_of_gates(gates: Mapping[str, Any]) -> str:
 
 @dataclass(frozen=True)
 class GateReport:
-    """The verdicts. True if all gates passed; a gate without a figure fails.
+    """The verdicts. Its truth value is True if all gates passed; a gate without a figure fails.
 
     gates: one dict per rule and figure: rule, patch, method, class, metric, value, limit,
         verdict, explanation, ...
-    junit: JUnit XML. markdown: for the page of a CI job. text: what print() shows, in aligned
-        columns.
+    junit: JUnit XML. markdown: for the summary page of a CI job. text: as shown by print(), in
+        aligned columns.
     """
 
     passed: bool
@@ -57,8 +57,9 @@ def gate(
     gates: a gates file (docs/gates.md), or its entries: [{"class": "total", "metric": "rms_m",
         "max": 0.3}, ...].
     baseline: results folder of an earlier run on the same data, for gates that refer to it; results
-    must then also be a folder. Both must have been judged from files, as a run on arrays records no
-    hash of its data. Raises ValueError for an invalid gate, FileNotFoundError and InputFileError.
+        must then also be a folder. Both must have been judged from files, because a run on arrays
+        does not record hashes of its data.
+    Raises ValueError for an invalid gate, FileNotFoundError and InputFileError.
     """
     file = text = ""
     if isinstance(gates, (str, os.PathLike)):

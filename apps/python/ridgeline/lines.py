@@ -34,7 +34,7 @@ class Lines:
     epipolar_angle_deg: (n,), degrees.
     covariance_m2: (n, 6, 6), of (start, end), square metres.
     left_px, right_px: (n, 2, 2), the segments of a line in both images, pixels.
-    crs: the reference system; "": unknown, that of the cloud is assumed.
+    crs: the reference system; if "" (unknown), that of the cloud is assumed.
     """
 
     segments: NDArray[np.float64]
@@ -60,7 +60,7 @@ class Lines:
         return len(self.segments)
 
     def __getitem__(self, index: Any) -> Lines:
-        """The lines of a mask, a slice or an array of indices."""
+        """The lines selected by a mask, a slice or an array of indices."""
         if isinstance(index, (int, np.integer)):
             raise TypeError("lines[i] must be a mask, slice or list; a single line is lines[[i]]")
         part: dict[str, Any] = {"crs": self.crs}
@@ -103,7 +103,7 @@ def segments_of(array: ArrayLike) -> NDArray[np.float64]:
 
 
 def lines_of(entries: dict[str, Any]) -> Lines:
-    """The Lines of a dict that the extension module returns."""
+    """The Lines from a dict returned by the extension module."""
     return Lines(**{f.name: entries[f.name] for f in fields(Lines)})
 
 
@@ -111,9 +111,11 @@ def read_lines(path: Path, *, assume_crs: str = "", vertex_pairs: bool = False, 
     """Reads the 3D lines of any tool: GeoJSON, GeoPackage, Shapefile, DXF, WKT, CSV, OBJ, PLY,
     Line3D++, LIMAP, ELSR.
 
-    Polylines become segments. assume_crs: reference system, overriding that of the file.
-    vertex_pairs: read every two consecutive vertices of an OBJ as a line. Warns about suspicious
-    inputs. Raises FileNotFoundError and InputFileError.
+    Polylines become segments.
+
+    assume_crs: reference system, overriding that of the file.
+    vertex_pairs: read every two consecutive vertices of an OBJ as a line.
+    Warns about suspicious inputs. Raises FileNotFoundError and InputFileError.
     """
     entries = _core.read_lines(os.fspath(path), assume_crs, vertex_pairs, lod)
     warn(entries["warnings"])
@@ -124,8 +126,8 @@ def write_lines(path: Path, lines: Lines | ArrayLike, *, format: str | None = No
     """Writes lines with their attributes. Returns the number of lines skipped because they have no
     geometry.
 
-    format: a name that `ridgeline reconstruct --help` lists; default: by the extension of the path.
-        Raises FileExistsError unless overwrite.
+    format: a name listed by `ridgeline reconstruct --help`; default: by the extension of the path.
+    Raises FileExistsError if the file exists, unless overwrite.
     """
     given = lines if isinstance(lines, Lines) else Lines(segments_of(lines))
     name = format or _format_of(os.fspath(path))

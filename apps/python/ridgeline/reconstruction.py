@@ -35,7 +35,7 @@ class View:
 
 
 def view_entries(views: Sequence[View], height_range_m: Sequence[float] | None) -> dict[str, Any]:
-    """Cameras and heights for the extension module."""
+    """The cameras and heights for the extension module."""
     if height_range_m is None:
         raise ValueError("height_range_m: is required with views")
     given = list(views)
@@ -59,19 +59,20 @@ def reconstruct(
 ) -> Lines:
     """Reconstructs the 3D lines of two oriented images, like `ridgeline reconstruct`.
 
-    views: two views, the first is the base image; or a patch file, which includes heights and
+    views: two views, the first of which is the base image; or a patch file, which includes heights and
         reference system.
     height_range_m: lowest and highest height of objects, in metres of the map.
-    method: "lines" (the default, except with "published"): those of "network", and the ridges, hips
-        and valleys without a visible edge ("planes"); "direct" and "joint" (the default with
-        "published") are those of the papers.
+    method: "lines" (the default, except with "published"): the lines of "network" plus the ridges,
+        hips and valleys without a visible edge ("planes"); "direct" and "joint" (the default with
+        "published"): the methods of the papers.
     preset: "default" (best-performing settings) or "published" (the papers' method).
-    matcher: "pairwise" or "chio". config: a file of `ridgeline config`, or a mapping
-        {"match": {...}, ...}.
-    crs: reference system of the matrices, for the lines. Warns if there are too few tie points to
-    check the cameras; raises if images and cameras do not match. Returns lines with class, status,
-    covariance and image segments; NaN coordinates where the images do not determine the depth.
-    Raises ValueError, and for files FileNotFoundError and InputFileError.
+    matcher: "pairwise" or "chio".
+    config: a config file (see `ridgeline config`), or a mapping {"match": {...}, ...}.
+    crs: reference system of the matrices, and thus of the lines.
+    Returns lines with class, status, covariance and image segments, and with NaN coordinates where
+    the images do not determine the depth. Warns if there are too few tie points to check the
+    cameras. Raises an error if images and cameras do not match, ValueError for an invalid value,
+    and FileNotFoundError and InputFileError for files.
     """
     options: dict[str, Any] = {
         "matcher": matcher,

@@ -37,7 +37,8 @@ Eigen::AlignedBox3d box_of(const BlockFolder& block) {
   return box;
 }
 
-/// Finds the patches whose area has a place. Their squares are near it, so that few are looked at.
+/// Finds the patches whose area contains a point. Only patches whose squares are near it are
+/// tested.
 class PatchesAround {
  public:
   explicit PatchesAround(const BlockFolder& block) : block_(block) {
@@ -72,7 +73,7 @@ class PatchesAround {
   }
 
   const BlockFolder& block_;
-  double reach_m_ = 0.0;  ///< by which areas reach beyond their squares at most
+  double reach_m_ = 0.0;  ///< largest distance by which an area extends beyond its square
   std::map<std::array<std::int64_t, 2>, std::size_t> patch_of_square_;
 };
 
@@ -80,7 +81,7 @@ class PatchesAround {
 
 BlockCloud read_block_cloud(const BlockFolder& block) {
   for (const JudgingCloud& cloud : block.clouds) require_unchanged(cloud);
-  io::ReadOptions options;  // those of the judge of blocks
+  io::ReadOptions options;  // as used for judging blocks
   options.frame = LocalFrame{{block.origin_m.x(), block.origin_m.y(), 0.0}};
   io::CloudFiles files(transformed(block.clouds, &JudgingCloud::path), options);
   files.set_bounds(box_of(block));

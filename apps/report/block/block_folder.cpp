@@ -55,7 +55,7 @@ void take_plan(const Json& plan, BlockFolder& block) {
   if (!all.isEmpty()) block.origin_m = all.min().array().floor();
 }
 
-/// The rows of patches.csv, which stand method by method.
+/// The rows of patches.csv, which are grouped by method.
 class PatchRows {
  public:
   explicit PatchRows(const std::string& path) : table_(path) {}
@@ -145,7 +145,7 @@ void read_inputs(BlockFolder& block) {
   }
 }
 
-/// Reasons and warnings name files; where these lie is the sender's own business.
+/// Reasons and warnings name files, the location of which concerns only the sender.
 void shorten_paths(const fs::path& folder, const std::string& block_file, BlockFolder& block) {
   std::vector<std::string> paths = block.input_paths;
   paths.push_back(block_file);

@@ -16,14 +16,14 @@
 
 namespace ridgeline::apps {
 
-/// A row of patches.csv: what became of a patch by one method.
+/// A row of patches.csv: the results of one method on a patch.
 struct PatchFigures {
   std::size_t n_lines = 0, n_evaluated = 0;
   std::optional<double> rms_m, median_m, max_m;
   std::size_t n_reference_lines = 0, n_reference_found = 0;
 };
 
-/// A patch of a block as its plan has it, and its results.
+/// A patch of a block as planned, with its results.
 struct ShownPatch {
   std::string id;
   std::array<std::int64_t, 2> square{};  ///< column and row
@@ -31,24 +31,24 @@ struct ShownPatch {
   std::array<double, 2> height_range_m{};
   std::vector<std::string> images;
   double estimated_s = 0.0, estimated_mib = 0.0;
-  std::string reason;                 ///< why it has no lines; empty if it is done
-  std::vector<PatchFigures> figures;  ///< of each method
+  std::string reason;                 ///< why it has no lines; empty if it is finished
+  std::vector<PatchFigures> figures;  ///< one per method
   evaluate::Json table2_rows = evaluate::Json::array();
 };
 
-/// A cloud that the lines were judged by, as it was then.
+/// A cloud against which the lines were judged, as it was at that time.
 struct JudgingCloud {
   std::string path;
   std::uint64_t bytes = 0;
 };
 
-/// All that the report of a block shows but its LIDAR, as read from its folder.
+/// Everything that the report of a block shows except its LIDAR points, read from its folder.
 // NOLINTNEXTLINE(bugprone-exception-escape): what moving JSON could throw is an assertion
 struct BlockFolder {
   evaluate::Json run;  ///< run.json, paths shortened
   std::string name, crs;
   double patch_size_m = 0.0, overlap_m = 0.0;
-  Eigen::Vector2d origin_m = Eigen::Vector2d::Zero();  ///< whole metres, of all plan coordinates
+  Eigen::Vector2d origin_m = Eigen::Vector2d::Zero();  ///< whole metres, of the report's plan
   std::vector<Eigen::Vector2d> area_m;
   std::size_t n_without_views = 0;
   std::vector<std::string> notes;
@@ -60,11 +60,11 @@ struct BlockFolder {
   std::vector<JudgingCloud> clouds;
 };
 
-/// Whether `ridgeline block` has merged its results there.
+/// Whether `ridgeline block` has merged its results in this folder.
 bool is_block_folder(const std::filesystem::path& folder);
 
 /// Reads plan.json, patches.csv, table2.json, run.json and the maps of the lines.
-/// Throws IoError for a file that is missing or not what it should be.
+/// Throws IoError if a file is missing or invalid.
 BlockFolder read_block_folder(const std::filesystem::path& folder);
 
 }  // namespace ridgeline::apps

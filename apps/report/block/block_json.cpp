@@ -33,7 +33,7 @@ Json box_json(const Eigen::AlignedBox2d& box, const Eigen::Vector2d& origin_m) {
           to_digits(high.y(), 3)};
 }
 
-/// Numbers in steps of a range, as many as 16 bits count.
+/// Coordinates as 16-bit numbers of steps within their range.
 class Steps {
  public:
   static constexpr double kMaxSteps = std::numeric_limits<std::uint16_t>::max();
@@ -52,8 +52,8 @@ class Steps {
   Eigen::AlignedBox2d box_;
 };
 
-/// Points in plan, with heights as one of 256 greys between the 2nd and the 98th percentile; null
-/// if there are none.
+/// Points in plan, with heights as 256 grey levels between the 2nd and the 98th percentile; null if
+/// there are none.
 Json relief_json(const BlockCloud& cloud,
                  const std::vector<std::uint32_t>& numbers,
                  const Eigen::Vector2d& shift_m) {
@@ -80,7 +80,7 @@ Json relief_json(const BlockCloud& cloud,
           {"low_m", to_digits(low, 2)}, {"high_m", to_digits(high, 2)}, {"greys", base64(greys)}};
 }
 
-/// The ends of lines in plan, and their distances in millimetres: 65535 of a line that is not
+/// The ends of lines in plan, and their distances in millimetres; 65535 for a line that was not
 /// judged.
 Json plan_lines_json(const ShownLines& method, std::size_t n_most) {
   constexpr std::uint16_t kNotJudged = 65535;
@@ -149,7 +149,8 @@ Json patch_row_json(const BlockFolder& block, const ShownPatch& patch) {
           {"figures", all_figures_json(patch)}};
 }
 
-/// The part of run.json that the page shows: no times, so that equal results give equal reports.
+/// The part of run.json that the page shows, without times, so that identical results give
+/// identical reports.
 Json run_part_json(const Json& run) {
   Json json = Json::object();
   for (const char* key : {"command", "versions", "inputs", "page", "warnings"})

@@ -15,26 +15,26 @@
 
 namespace ridgeline::apps {
 
-/// Most lines that the plan of a block shows, of all methods together.
+/// Maximum number of lines on the plan of a block, for all methods together.
 inline constexpr std::size_t kMaxPlanLines = 200'000;
-/// Most points that lie under the plan of a block.
+/// Maximum number of points drawn under the plan of a block.
 inline constexpr std::size_t kMaxPlanPoints = 200'000;
-/// Rows of the table of worst lines.
+/// Maximum number of rows in the table of worst lines.
 inline constexpr std::size_t kMaxWorstLines = 100;
 
-/// The data of a block's report, as apps/report/web/src/block/schema.ts declares it. Lengths in
+/// The data of a block's report, as declared in apps/report/web/src/block/schema.ts. Lengths are in
 /// metres; coordinates are relative to `origin_m`; binary arrays are base64 of little-endian
 /// values.
 evaluate::Json block_json(const BlockFolder& block,
                           const BlockCloud& cloud,
                           const std::optional<evaluate::GateReport>& gates);
 
-/// The data of the pages of single patches.
+/// The data of the pages of individual patches.
 class PatchPages {
  public:
   PatchPages(const BlockFolder& block, const BlockCloud& cloud);
 
-  /// The data of the page of a patch, coordinates relative to the corner of its square.
+  /// The data of the page of a patch; coordinates are relative to the corner of its square.
   [[nodiscard]] evaluate::Json json_of(std::size_t patch) const;
 
  private:

@@ -12,7 +12,7 @@
 
 namespace ridgeline::apps {
 
-/// Few different texts, each of which has a number.
+/// A small set of distinct texts, each identified by a number.
 class Words {
  public:
   std::uint8_t number_of(const std::string& word);
@@ -22,33 +22,34 @@ class Words {
   std::vector<std::string> words_;
 };
 
-/// A line of a block. A block has hundreds of thousands, so that its texts are numbers of Words.
+/// A line of a block. A block has hundreds of thousands of lines, so their texts are stored as
+/// numbers in Words.
 struct ShownLine {
   std::string id;  ///< within its patch
   std::uint32_t patch = 0;
   std::uint8_t line_class = 0, kind = 0, status = 0, n_images = 0;
-  std::optional<float> mean_m, max_m;  ///< from the LIDAR planes, if the line is judged
+  std::optional<float> mean_m, max_m;  ///< from the LIDAR planes, if the line was judged
   float length_m = 0.0F;
   Segment3 segment_m{};  ///< relative to BlockFolder::origin_m
 };
 
-/// The lines of a block by one method.
+/// The lines of a block from one method.
 struct ShownLines {
   std::string method;
   Words words;
   std::vector<ShownLine> lines;
 };
 
-/// The numbers of at most `n_most` lines, in ascending order: the worst tenth of `n_most` and an
-/// even choice of the others.
+/// The indices of at most `n_most` lines, in ascending order: the `n_most` / 10 worst lines and an
+/// even selection of the others.
 std::vector<std::size_t> thinned_lines(const std::vector<ShownLine>& lines, std::size_t n_most);
 
-/// The numbers of the judged lines farthest from their planes, the worst first; equal ones in their
-/// order.
+/// The indices of the at most `n_most` judged lines farthest from their planes, the worst first;
+/// ties are in the order of their indices.
 std::vector<std::size_t> worst_lines(const std::vector<ShownLine>& lines, std::size_t n_most);
 
-/// Reads the lines from the map at `path`. Lines whose id does not begin with one of the patches
-/// are left out. Throws IoError as io::for_each_map_line().
+/// Reads the lines from the map at `path`. Lines whose id does not begin with that of one of the
+/// patches are omitted. Throws IoError under the same conditions as io::for_each_map_line().
 ShownLines read_shown_lines(const std::string& path,
                             const std::string& method,
                             const Eigen::Vector2d& origin_m,

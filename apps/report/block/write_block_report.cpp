@@ -85,7 +85,7 @@ std::string write_block_report(const fs::path& folder,
 void remove_patch_pages(const results::OutputFolder& out, const fs::path& folder) {
   remove_pages_but(out, {});
   std::error_code none;
-  fs::remove(folder / kPagesFolder, none);  // stays if something of the user's is there
+  fs::remove(folder / kPagesFolder, none);  // stays if it contains other files
 }
 
 }  // namespace ridgeline::apps

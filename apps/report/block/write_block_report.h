@@ -11,17 +11,17 @@
 
 namespace ridgeline::apps {
 
-/// Writes the report of a block into its folder: report.html, and pages/PATCH.html of each patch.
-/// Nothing but the folder and the LIDAR that its run.json names is read, so that a report made
-/// later is the same. Pages of patches that the block no longer has are removed. LIDAR that cannot
-/// be read is left out with a note. `page`: see write_report().
+/// Writes the report of a block into its folder: report.html, and pages/PATCH.html for each patch.
+/// Only the folder and the LIDAR files named in its run.json are read, so that a report made later
+/// is the same. Pages of patches that are not in the block are removed. LIDAR that cannot be read
+/// is omitted with a note. `page`: see write_report().
 /// @return the path of report.html
-/// Throws IoError as read_block_folder(), and if a file cannot be written.
+/// Throws IoError under the same conditions as read_block_folder() and if a file cannot be written.
 std::string write_block_report(const std::filesystem::path& folder,
                                const std::optional<evaluate::GateReport>& gates,
                                const evaluate::Json& page = evaluate::Json::object());
 
-/// Removes the pages that write_block_report() has left in a folder; pages of somebody else stay.
+/// Removes the pages that write_block_report() wrote to a folder; other files stay.
 void remove_patch_pages(const results::OutputFolder& out, const std::filesystem::path& folder);
 
 }  // namespace ridgeline::apps

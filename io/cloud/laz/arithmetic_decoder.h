@@ -9,8 +9,9 @@
 namespace ridgeline::io::laz {
 
 /// Range decoder with a 32-bit interval and byte-wise renormalisation (A. Said, HPL-2004-76).
-/// Every call throws CodecError where the stream ends. The offset in the interval stays below its
-/// length whatever the input, so no damaged stream can lead to a symbol outside its alphabet.
+/// Every call throws CodecError at the end of the stream. The offset in the interval stays below
+/// the length of the interval for any input, so no damaged stream can lead to a symbol outside its
+/// alphabet.
 class ArithmeticDecoder {
  public:
   /// Reads the four initial bytes.
@@ -40,7 +41,7 @@ class ArithmeticDecoder {
       (model.lower(middle) > code ? end : symbol) = middle;
     }
     const std::uint32_t lower = model.lower(symbol) * unit;
-    // The last symbol also takes the part of the interval that the division has left over.
+    // The last symbol also takes the part of the interval left over by the division.
     const std::uint32_t upper =
         symbol + 1 < model.num_symbols() ? model.lower(symbol + 1) * unit : length_;
     offset_ -= lower;
@@ -55,8 +56,8 @@ class ArithmeticDecoder {
   std::uint32_t read_u32();
   std::uint64_t read_u64();
 
-  /// The stream at its present position. A coder writes as many bytes as its decoder reads, so
-  /// behind the last symbol that is the end of the coder's bytes.
+  /// The stream at its current position. An encoder writes as many bytes as its decoder reads, so
+  /// after the last symbol this is the end of the encoder's bytes.
   [[nodiscard]] const ByteStream& stream() const { return stream_; }
 
  private:

@@ -60,7 +60,7 @@ void SymbolModel::update() {
     sum += counts[i];
   }
   if (lookup_bits_ > 0) {
-    // Entry t holds the last symbol that begins at or before the cell t of the code values.
+    // Entry t holds the last symbol whose interval begins at or before cell t of the code values.
     std::uint16_t* const lookup = lower + std::size_t{2} * num_symbols_;
     const std::uint32_t end = (1U << lookup_bits_) + 2;
     std::uint32_t cell = 0;

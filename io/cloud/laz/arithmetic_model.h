@@ -30,7 +30,7 @@ class BitModel {
 };
 
 /// Adaptive distribution of 2 to 2048 symbols, in units of 2^-15 (source: see BitModel). The tables
-/// are built on first use, as most of the hundreds of models of a chunk are never used.
+/// are built on first use, because most of the hundreds of models of a chunk are never used.
 class SymbolModel {
  public:
   static constexpr unsigned kShift = 15;
@@ -46,8 +46,8 @@ class SymbolModel {
   /// Lower end of the interval of a symbol; strictly increasing, 0 for the first.
   std::uint32_t lower(std::uint32_t symbol) const { return tables_[symbol]; }
 
-  /// The symbols that can hold a code value below 2^15 + 2^7: the first one, and one behind the
-  /// last.
+  /// The symbols whose intervals can contain a code value below 2^15 + 2^7: the first one, and one
+  /// past the last.
   struct Candidates {
     std::uint32_t first;
     std::uint32_t end;

@@ -184,7 +184,7 @@ std::unique_ptr<ItemDecoder> make_item_decoder(const Item& item, std::span<const
       return of_version<GpsTimeVersion1, GpsTimeVersion2>(item.version, first);
     case ItemType::kRgb12:
       return of_version<RgbVersion1, Modelled<RgbModels, Rgb>>(item.version, first);
-    case ItemType::kWavePacket13:  // there is version 1 only
+    case ItemType::kWavePacket13:  // only version 1 exists
       return std::make_unique<Modelled<WavePacketModels, WavePacket>>(first);
     default:
       return of_version<BytesVersion1, BytesVersion2>(item.version, first);

@@ -9,18 +9,18 @@
 
 namespace ridgeline::io::laz {
 
-/// Bytes of a file in order; every read is checked against their end.
+/// Reads the bytes of a file in order; every read is checked against their end.
 class ByteStream {
  public:
   explicit ByteStream(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
-  /// The next byte. Throws CodecError behind the last one.
+  /// The next byte. Throws CodecError if none is left.
   std::uint32_t next() {
     if (position_ == bytes_.size()) throw_end(1);
     return std::to_integer<std::uint32_t>(bytes_[position_++]);
   }
 
-  /// The next `size` bytes. Throws CodecError when fewer are left.
+  /// The next `size` bytes. Throws CodecError if fewer are left.
   std::span<const std::byte> take(std::size_t size) {
     if (size > bytes_.size() - position_) throw_end(size);
     position_ += size;

@@ -7,13 +7,13 @@
 
 namespace ridgeline::io::laz {
 
-/// Versions of the layered items. Version 3 keeps two slips of the first encoder, which are now
-/// part of the format; version 4 mends both. They matter only with several scanner channels.
+/// Versions of the layered items. Version 3 keeps two mistakes of the first encoder, which are part
+/// of the format; version 4 corrects both. They matter only with several scanner channels.
 enum class ItemVersion { k3 = 3, k4 = 4 };
 
 /// Models and previous value of an item (colour, wave packet, extra bytes) for each of the four
-/// scanner channels. When a channel is first met, its models are fresh and its previous value is
-/// that of the channel before.
+/// scanner channels. When a channel first occurs, its models are new and its previous value is that
+/// of the channel before it.
 template <typename Models, typename Value>
 class ChannelContexts {
  public:
@@ -27,8 +27,8 @@ class ChannelContexts {
     Value& last;
   };
 
-  /// The context of the next value. When a channel comes up again, version 3 takes the previous
-  /// value from the channel that it leaves, and stores the new one there.
+  /// The context of the next value. On return to a channel, version 3 takes the previous value from
+  /// the channel being left, and stores the new value there.
   Selected select(unsigned channel) {
     unsigned last_of = current_;
     if (channel != current_) {

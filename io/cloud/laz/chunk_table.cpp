@@ -31,8 +31,8 @@ std::uint64_t table_offset(std::span<const std::byte> file, const LasHeader& hea
   return static_cast<std::uint64_t>(offset);
 }
 
-// Every chunk holds at least one raw record, so the bytes of the chunks limit the number of chunks
-// that is believed.
+// Every chunk holds at least one raw record, so the total size of the chunks limits the number of
+// chunks that is accepted.
 void check_count(std::uint64_t n_chunks,
                  std::uint64_t n_bytes,
                  const LasHeader& header,

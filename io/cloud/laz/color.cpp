@@ -18,7 +18,7 @@ Rgb RgbModels::decode(ArithmeticDecoder& decoder, const Rgb& last) {
   constexpr std::uint32_t kNotGrey = 1U << 6;
   const std::uint32_t changed = decoder.decode_symbol(changed_);
   Rgb rgb{};
-  // Decodes a byte of a channel as a difference to its prediction. A byte that is not marked as
+  // Decodes a byte of a channel as a difference from its prediction. A byte that is not marked as
   // changed keeps its value.
   const auto decode_byte = [&](unsigned channel, unsigned shift, int shift_of_prediction) {
     const unsigned byte = 2 * channel + (shift == 0 ? 0 : 1);

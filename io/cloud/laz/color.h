@@ -14,7 +14,7 @@ using Rgb = std::array<std::uint16_t, 3>;
 /// Models of red, green and blue (RGB12 version 2; RGB14 and RGBNIR14 of versions 3 and 4).
 class RgbModels {
  public:
-  /// Green is predicted by the change of red, blue by the mean change of red and green.
+  /// Green is predicted from the change of red, blue from the mean change of red and green.
   Rgb decode(ArithmeticDecoder& decoder, const Rgb& last);
 
  private:

@@ -6,7 +6,7 @@
 namespace ridgeline::io::laz {
 namespace {
 
-// While a sequence has a step, a symbol tells how a difference is coded: 0 for one that is unlike
+// Once a sequence has a step, a symbol states how a difference is coded: 0 for one that is unlike
 // every multiple of the step, 1..500 for that multiple, 501..510 for the multiples -1..-10.
 constexpr std::uint32_t kMaxMultiple = 500;
 constexpr std::uint32_t kMinMultiple = 510;

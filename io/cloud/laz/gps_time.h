@@ -9,9 +9,9 @@
 namespace ridgeline::io::laz {
 
 /// GPS times (the bits of a double) as four interleaved sequences, each of nearly constant step:
-/// a symbol gives the multiple of the last step that predicts the next one, or switches to another
-/// sequence, or starts one from a full value. Point formats 1 to 5 (item version 2) and 6 to 10
-/// (versions 3 and 4) differ by one symbol, "time unchanged".
+/// a symbol gives the multiple of the last step that predicts the next time, switches to another
+/// sequence, or starts a sequence from a full value. Point formats 1 to 5 (item version 2) and 6 to
+/// 10 (versions 3 and 4) differ by one symbol, "time unchanged".
 class GpsTimeSequences {
  public:
   enum class Alphabet { kWithUnchanged, kWithoutUnchanged };
@@ -27,11 +27,11 @@ class GpsTimeSequences {
     std::int32_t step = 0;
     int num_unlike = 0;  // consecutive differences far from the step
   };
-  // What a symbol stands for, whichever alphabet it comes from.
+  // The meaning of a symbol, whichever alphabet it comes from.
   enum class Action { kUnchanged, kDifference, kFull, kSwitch };
   struct Decision {
     Action action;
-    std::uint32_t argument;  // multiple of the step, or how many sequences to go on
+    std::uint32_t argument;  // multiple of the step, or the number of sequences to advance
   };
 
   Decision decode_decision(ArithmeticDecoder& decoder);

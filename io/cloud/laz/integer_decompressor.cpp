@@ -29,7 +29,7 @@ std::int32_t IntegerDecompressor::decode(ArithmeticDecoder& decoder,
 std::uint32_t IntegerDecompressor::decode_difference(ArithmeticDecoder& decoder) {
   const unsigned k = bit_count_;
   if (k == 0) return decoder.decode_bit(zero_or_one_model_) ? 1 : 0;
-  if (k == 32) return 0x80000000U;  // the smallest number stands alone, without further bits
+  if (k == 32) return 0x80000000U;  // the smallest number is coded without further bits
 
   std::uint32_t place = decoder.decode_symbol(high_bits_models_[k - 1]);
   if (k > kMaxModelledBits) {

@@ -8,10 +8,10 @@
 
 namespace ridgeline::io::laz {
 
-/// Decodes integers as differences to a prediction, modulo 2^bits. A difference is coded as the
-/// number k of its bits (a symbol, with one model per context), then its place within
-/// [-(2^k - 1), -2^(k-1)] or [2^(k-1) + 1, 2^k] by its up to 8 high bits (a symbol, with one model
-/// per k) and raw low bits.
+/// Decodes integers as differences from a prediction, modulo 2^bits. A difference is coded as the
+/// number k of its bits (a symbol, with one model per context), then its position
+/// within [-(2^k - 1), -2^(k-1)] or [2^(k-1) + 1, 2^k], given by up to 8 high bits (a symbol, with
+/// one model per k) and raw low bits.
 class IntegerDecompressor {
  public:
   /// `num_bits` is 8, 16 or 32.

@@ -11,7 +11,7 @@
 namespace ridgeline::io::laz {
 
 /// One part of a point-wise compressed record (LASzip compressors 1 and 2). All parts of a record
-/// share one decoder. An object serves one chunk: its models start afresh with the next.
+/// share one decoder. An object decodes one chunk: the models start afresh with each chunk.
 class ItemDecoder {
  public:
   virtual ~ItemDecoder() = default;
@@ -24,7 +24,7 @@ class ItemDecoder {
 /// @param first  the item of the chunk's first record, which is stored raw
 std::unique_ptr<ItemDecoder> make_item_decoder(const Item& item, std::span<const std::byte> first);
 
-/// The same for the core of the record, which POINT10 is.
+/// The decoder of POINT10, the core of the record.
 /// @param version  1 or 2
 std::unique_ptr<ItemDecoder> make_point10_decoder(int version, std::span<const std::byte> first);
 

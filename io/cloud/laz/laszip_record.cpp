@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kFixedSize = 34;
 constexpr std::size_t kItemSize = 6;
-// Each extra byte has models of its own, about 1.5 KiB; files in use have some ten of them.
+// Each extra byte has models of its own, about 1.5 KiB; real files have about ten such bytes.
 constexpr std::uint16_t kMaxExtraBytes = 8192;
 
 struct ItemRule {

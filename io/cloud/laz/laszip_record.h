@@ -33,13 +33,13 @@ struct Item {
   std::uint16_t version;
 };
 
-/// The LASzip record of a compressed file, checked: every item can be decoded, and together they
-/// are exactly the file's point record.
+/// The LASzip record of a compressed file, checked: every item can be decoded, and together the
+/// items are exactly the file's point record.
 struct LaszipRecord {
   static constexpr std::uint32_t kVariableChunkSize = 0xFFFFFFFF;
 
   Compressor compressor = Compressor::kPointwiseChunked;
-  /// Points in a chunk; meaningless if there are no chunks.
+  /// Points per chunk; meaningless if there are no chunks.
   std::uint32_t chunk_size = kVariableChunkSize;
   std::uint16_t record_length = 0;
   std::vector<Item> items;
@@ -48,8 +48,9 @@ struct LaszipRecord {
 };
 
 /// Reads VLR "laszip encoded" 22204.
-/// Throws IoError: no such record, truncated, unknown compressor, coder, item type or item version
-/// (by name), items that do not make up the point format, chunk size 0.
+/// Throws IoError if the record is missing or truncated, has an unknown compressor, coder, item
+/// type or item version (named in the message), has items that do not make up the point format, or
+/// has chunk size 0.
 LaszipRecord read_laszip_record(std::span<const std::byte> file,
                                 const LasHeader& header,
                                 const std::string& path);

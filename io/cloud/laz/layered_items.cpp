@@ -18,7 +18,7 @@ Layer make_layer(Bytes bytes) {
   return ArithmeticDecoder(ByteStream(bytes));
 }
 
-/// RGB14, wave packets: one layer with all of the value.
+/// RGB14, wave packets: one layer with the whole value.
 template <typename Models, typename Value>
 class OneLayer final : public LayeredItemDecoder {
  public:

@@ -11,7 +11,7 @@ namespace ridgeline::io::laz {
 
 using Bytes = std::span<const std::byte>;
 
-/// One part behind the core of a layered record (LASzip compressor 3), for one chunk.
+/// Decodes one part after the core of a layered record (LASzip compressor 3), for one chunk.
 class LayeredItemDecoder {
  public:
   virtual ~LayeredItemDecoder() = default;
@@ -23,9 +23,9 @@ class LayeredItemDecoder {
 /// The decoder of an item that is not the core of the record.
 /// @param channel  scanner channel of the chunk's first record
 /// @param first    the item of that record, which is stored raw
-/// @param layers   of the item: one for RGB14 and wave packets, two for RGBNIR14 (colour,
-/// infrared), one per byte for extra
-///                 bytes. An empty layer means that the value never changes.
+/// @param layers   layers of the item: one for RGB14 and wave packets, two for RGBNIR14
+///                 (colour, infrared), one per byte for extra bytes. An empty layer means that
+///                 the value never changes.
 std::unique_ptr<LayeredItemDecoder> make_layered_item_decoder(const Item& item,
                                                               unsigned channel,
                                                               Bytes first,

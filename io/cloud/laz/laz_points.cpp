@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kPortion = 1024;  // records decoded at once, some ten KiB
 
-// Refuses a count that the bytes cannot hold, before anything depends on it.
+// Rejects a count that the bytes cannot hold, before anything depends on it.
 void check_count(std::uint64_t n_points, std::uint64_t n_bytes, const std::string& path) {
   if (!may_hold(n_bytes, n_points)) {
     throw IoError(

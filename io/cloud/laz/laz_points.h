@@ -18,13 +18,14 @@ namespace ridgeline::io::laz {
 class SequentialRecords;
 
 /// The compressed records of a LAZ file as blocks that can be decoded in any order and from any
-/// thread. If the file has a table of chunks, a block is a chunk. Otherwise (LASzip's compressor 1,
-/// or the table is lost) blocks are cut from one stream. The stream is decoded once if blocks are
-/// asked for nearly in order, and again from its start for a block long passed.
+/// thread. If the file has a chunk table, each block is a chunk. Otherwise (LASzip's compressor 1,
+/// or a lost table) blocks are cut from one stream. The stream is decoded once if blocks are
+/// requested nearly in order, and again from its start for a block that lies far back.
 class LazPoints {
  public:
-  /// `file` must outlive the object; `path` serves messages.
-  /// Throws IoError as read_laszip_record(), and if chunk sizes vary but no chunk table is usable.
+  /// `file` must outlive the object; `path` is used only in messages.
+  /// Throws IoError under the same conditions as read_laszip_record(), and if chunk sizes vary but
+  /// no chunk table is usable.
   LazPoints(std::span<const std::byte> file, const LasHeader& header, std::string path);
   ~LazPoints();
   LazPoints(LazPoints&&) noexcept;
@@ -36,15 +37,14 @@ class LazPoints {
   [[nodiscard]] std::size_t n_blocks() const;
   [[nodiscard]] std::size_t n_points(std::size_t block) const;
 
-  /// The chunks, one a block; empty if blocks are cut from one stream.
+  /// The chunks, one per block; empty if blocks are cut from one stream.
   [[nodiscard]] std::span<const Chunk> chunks() const { return chunks_; }
 
-  /// Receives consecutive uncompressed records; `first` is the place of the first of them in the
-  /// block.
+  /// Receives consecutive uncompressed records; `first` is the index of the first one in the block.
   using Consume = std::function<void(std::span<const std::byte> records, std::size_t first)>;
 
   /// Decodes a block in portions that fit a core's cache.
-  /// Throws IoError naming chunk and point where the block is damaged or cut short.
+  /// Throws IoError naming chunk and point if the block is damaged or truncated.
   void decode(std::size_t block, RecordParts parts, const Consume& consume) const;
 
  private:

@@ -17,7 +17,7 @@
 namespace ridgeline::io {
 namespace {
 
-// A block of the source: a block of the compressed records, and its cube where that is known.
+// A block of the source: a block of the compressed records, and its cube if known.
 struct LazBlock {
   std::size_t index;
   std::optional<Eigen::AlignedBox3d> box_in_file;
@@ -50,8 +50,7 @@ class LazSource final : public CloudSource {
     return BlockExtent{.box_in_file = *box, .n_points = records_.n_points(index)};
   }
 
-  /// A file without a table of chunks is one stream, of which decoded parts are kept; so it is not
-  /// light.
+  /// Without a chunk table, a file is one stream whose decoded parts are kept, so it is not light.
   [[nodiscard]] bool is_light() const override {
     return !records_.chunks().empty() || blocks_.empty();
   }
@@ -102,8 +101,8 @@ std::vector<LazBlock> all_blocks(const laz::LazPoints& records) {
   return blocks;
 }
 
-// The blocks of the nodes up to `max_level`. Chunks without a node are kept, without a box, as the
-// hierarchy may only leave out points that it places elsewhere.
+// The blocks of the nodes up to `max_level`. Chunks without a node are kept, without a box, because
+// only points that the hierarchy places elsewhere may be left out.
 std::vector<LazBlock> blocks_of_hierarchy(const laz::LazPoints& records,
                                           const LasHeader& header,
                                           const laz::CopcHierarchy& hierarchy,
@@ -145,7 +144,7 @@ std::unique_ptr<CloudSource> open_laz(MappedFile file,
     file_info.format = fmt::format("COPC, {}", file_info.format);
     file_info.n_points = 0;
     for (const LazBlock& block : blocks) file_info.n_points += records.n_points(block.index);
-    // The header's bounds are those of all levels, not of the levels that are read.
+    // The header's bounds cover all levels, not only those that are read.
     if (blocks.size() < records.n_blocks()) file_info.stated_bounds.reset();
   } else {
     blocks = all_blocks(records);

@@ -10,8 +10,8 @@
 namespace ridgeline::io {
 
 /// Opens the points of a LAZ or COPC file whose header has been read; `file_info` holds the path
-/// and what the header says. A damaged COPC hierarchy is a warning: the points are read without it.
-/// Throws IoError: see laz::LazPoints.
+/// and the contents of the header. A damaged COPC hierarchy only causes a warning: the points are
+/// read without it. Throws IoError under the same conditions as laz::LazPoints.
 std::unique_ptr<CloudSource> open_laz(MappedFile file,
                                       LasHeader header,
                                       CloudFileInfo file_info,

@@ -13,7 +13,7 @@
 namespace ridgeline::io::laz {
 namespace {
 
-// The core of point formats 0 to 5 as it lies in the file, without padding.
+// The core of point formats 0 to 5 as stored in the file, without padding.
 struct Point10 {
   std::int32_t x, y, z;
   std::uint16_t intensity;

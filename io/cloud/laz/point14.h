@@ -12,13 +12,13 @@
 
 namespace ridgeline::io::laz {
 
-/// A layer of a chunk: absent when the chunk stores no bytes for it (the value never changes) or
-/// when it is not wanted.
+/// A layer of a chunk: absent if the chunk stores no bytes for it (the value never changes) or if
+/// it is not wanted.
 using Layer = std::optional<ArithmeticDecoder>;
 
-/// The core of point formats 6 to 10 (POINT14; versions 3 and 4 are equal here). Each of the four
-/// scanner channels has its own models and previous point. When a channel is first met, its models
-/// are fresh and its previous point is that of the channel before.
+/// The core of point formats 6 to 10 (POINT14; versions 3 and 4 are identical here). Each of the
+/// four scanner channels has its own models and previous point. When a channel first occurs, its
+/// models are new and its previous point is that of the channel before it.
 class Point14Decoder {
  public:
   static constexpr std::size_t kItemSize = 30;

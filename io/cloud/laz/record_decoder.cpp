@@ -18,7 +18,8 @@ struct Placed {
   std::size_t offset;  // byte of the record at which the item begins
 };
 
-// A chunk is the first record, raw, then one stream in which the items of each record alternate.
+// A chunk consists of the first record, raw, and one stream in which the items of each record
+// alternate.
 class PointwiseDecoder final : public RecordDecoder {
  public:
   PointwiseDecoder(const LaszipRecord& laszip, ByteStream stream)
@@ -66,7 +67,7 @@ std::size_t num_layers(const Item& item) {
 struct LayeredChunk {
   LayeredChunk(const LaszipRecord& laszip, ByteStream stream)
       : first(stream.take(laszip.record_length)) {
-    stream.take(sizeof(std::uint32_t));  // the number of points stands in the chunk table as well
+    stream.take(sizeof(std::uint32_t));  // the number of points is also in the chunk table
     std::size_t n_layers = 0;
     for (const Item& item : laszip.items) n_layers += num_layers(item);
     const Bytes sizes = stream.take(n_layers * sizeof(std::uint32_t));
@@ -116,9 +117,8 @@ class LayeredDecoder final : public RecordDecoder {
   [[nodiscard]] std::size_t position() const override { return size_; }
 
  private:
-  // The encoder of version 3 reports the channel to the items behind the core only where it
-  // changes; these items take every other record for one of channel 0
-  // (github.com/LASzip/LASzip/issues/74).
+  // The encoder of version 3 reports the channel to the items after the core only when it changes;
+  // these items treat every other record as one of channel 0 (github.com/LASzip/LASzip/issues/74).
   [[nodiscard]] unsigned channel_of_items() const {
     return version_ == ItemVersion::k4 || point_.channel_changed() ? point_.channel() : 0;
   }

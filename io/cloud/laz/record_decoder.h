@@ -15,18 +15,17 @@ class RecordDecoder {
  public:
   virtual ~RecordDecoder() = default;
 
-  /// Decodes the next record into `record`, which has LaszipRecord::record_length bytes. The chunk
-  /// itself does not tell how many records it has. Throws CodecError where the chunk is damaged or
-  /// ends.
+  /// Decodes the next record into `record`, which has LaszipRecord::record_length bytes. The caller
+  /// must know how many records the chunk has. Throws CodecError if the chunk is damaged or ends.
   virtual void next(std::byte* record) = 0;
 
-  /// Bytes of the chunk read so far; behind its last record, the size of the chunk.
+  /// Bytes of the chunk read so far; after its last record, the size of the chunk.
   [[nodiscard]] virtual std::size_t position() const = 0;
 };
 
-/// Makes the decoder of the chunk that begins at the first of `bytes`, which may reach beyond its
-/// end. Parts of a layered record that are not wanted keep the value of the first record of the
-/// chunk. Throws CodecError if the chunk ends within its header.
+/// Makes the decoder of the chunk at the beginning of `bytes`, which may extend beyond its end.
+/// Parts of a layered record that are not wanted keep the value of the first record of the chunk.
+/// Throws CodecError if the chunk ends within its header.
 std::unique_ptr<RecordDecoder> make_record_decoder(const LaszipRecord& laszip,
                                                    std::span<const std::byte> bytes,
                                                    RecordParts parts);

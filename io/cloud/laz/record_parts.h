@@ -3,8 +3,8 @@
 
 namespace ridgeline::io::laz {
 
-/// How much of layered records (point formats 6 to 10) is decoded. What is left out costs no time:
-/// its layers are passed over by their sizes. Formats 0 to 5 are always decoded whole, because all
+/// How much of layered records (point formats 6 to 10) is decoded. Omitted parts cost no time:
+/// their layers are skipped by size. Formats 0 to 5 are always decoded completely, because all
 /// their parts share one stream.
 enum class RecordParts {
   kAll,

@@ -41,15 +41,15 @@ inline constexpr std::array<std::array<std::uint8_t, 16>, 16> kReturnKind16{{
     {5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5},
 }};
 
-/// How many returns lie between this one and the last of its pulse, at most 7. The previous height
-/// has a context for each level.
+/// Number of returns between this one and the last of its pulse, at most 7. A previous height is
+/// kept for each level.
 constexpr unsigned return_level(unsigned number_of_returns, unsigned return_number) {
   const unsigned distance = number_of_returns > return_number ? number_of_returns - return_number
                                                               : return_number - number_of_returns;
   return std::min(distance, 7U);
 }
 
-/// Context from a number of bits: pairs of neighbours share one, `last` takes the rest. The lowest
+/// Context for a number of bits: neighbouring pairs share one, `last` takes the rest. The lowest
 /// bit is left free for the flag "single return".
 constexpr unsigned even_part(unsigned num_bits, unsigned last) {
   return num_bits < last ? num_bits & ~1U : last;

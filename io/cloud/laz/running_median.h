@@ -6,9 +6,9 @@
 
 namespace ridgeline::io::laz {
 
-/// Approximate median of the values seen, from five values kept in order. A new value pushes out
-/// the largest of them if the value before it lay in the lower half, and the smallest if that lay
-/// in the upper half.
+/// Approximate median of the values seen, from five values kept sorted. A new value displaces the
+/// largest of them if the previous value lay in the lower half, and the smallest if it lay in the
+/// upper half.
 class RunningMedian {
  public:
   std::int32_t get() const { return values_[2]; }

@@ -59,7 +59,7 @@ std::vector<std::byte> SequentialRecords::decode_next() {
   } catch (const CodecError& error) {
     const std::uint64_t chunk = chunk_index_;
     const std::uint64_t point = place_in_chunk_;
-    restart();  // a later call meets the same error, not a decoder that lost its place
+    restart();  // a later call gets the same error, not a decoder that has lost its place
     throw damaged_chunk(path_, chunk, point, error);
   }
   ++next_block_;

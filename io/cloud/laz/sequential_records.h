@@ -16,14 +16,14 @@
 namespace ridgeline::io::laz {
 
 /// Records that can only be decoded one after the other, from the first: those of a file without
-/// chunks or without a usable chunk table. Hands them out in blocks, from any thread; some blocks
-/// are kept for callers that come a little late.
+/// chunks or without a usable chunk table. Returns them in blocks, from any thread; some blocks are
+/// kept for slightly late requests.
 class SequentialRecords {
  public:
-  static constexpr std::size_t kBlocksKept = 32;  ///< twice what a reader decodes ahead
+  static constexpr std::size_t kBlocksKept = 32;  ///< twice the number that a reader decodes ahead
 
-  /// `bytes` begin with the first chunk and may reach beyond the last. All blocks but the last have
-  /// `block_size` records.
+  /// `bytes` begin with the first chunk and may extend beyond the last. All blocks but the last
+  /// have `block_size` records.
   SequentialRecords(std::span<const std::byte> bytes,
                     LaszipRecord laszip,
                     std::uint64_t n_records,
@@ -33,8 +33,8 @@ class SequentialRecords {
   [[nodiscard]] std::size_t n_blocks() const;
   [[nodiscard]] std::size_t n_records(std::size_t block) const;
 
-  /// Uncompressed records of a block. Goes back to the start for a block that is no longer kept.
-  /// Throws IoError naming chunk and point where the stream is damaged or cut short.
+  /// Uncompressed records of a block. Restarts from the beginning if the block is no longer kept.
+  /// Throws IoError naming chunk and point if the stream is damaged or truncated.
   std::vector<std::byte> block(std::size_t index);
 
  private:
@@ -49,13 +49,13 @@ class SequentialRecords {
   std::uint32_t block_size_;
   std::string path_;
 
-  std::mutex mutex_;  // guards all below
+  std::mutex mutex_;  // guards all members below
   std::size_t next_block_ = 0;
   std::map<std::size_t, std::vector<std::byte>> kept_;
   std::unique_ptr<RecordDecoder> decoder_;
   std::size_t chunk_begin_ = 0;  // byte of bytes_ at which the chunk begins
   std::uint64_t chunk_index_ = 0;
-  std::uint64_t place_in_chunk_ = 0;  // place of the next record
+  std::uint64_t place_in_chunk_ = 0;  // index of the next record
 };
 
 }  // namespace ridgeline::io::laz

@@ -34,7 +34,7 @@ std::uint64_t WavePacketModels::decode_offset(ArithmeticDecoder& decoder, const 
   switch (last_offset_kind_) {
     case 0:
       return last_offset;
-    case 1:  // directly behind the last packet
+    case 1:  // directly after the last packet
       return last_offset + load<std::uint32_t>(&last[kSize]);
     case 2:
       last_offset_step_ = offset_step_.decode(decoder, last_offset_step_);

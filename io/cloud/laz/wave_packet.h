@@ -10,8 +10,8 @@
 
 namespace ridgeline::io::laz {
 
-/// The 29 bytes of a wave packet record: u8 descriptor, u64 offset, u32 size, then four f32 (place
-/// of the return, direction x, y, z), which are coded by their bits.
+/// The 29 bytes of a wave packet record: u8 descriptor, u64 offset, u32 size, then four f32
+/// (position of the return, direction x, y, z), which are coded as their bit patterns.
 using WavePacket = std::array<std::byte, 29>;
 
 /// Models of wave packets (WAVEPACKET13 version 1; WAVEPACKET14 of versions 3 and 4).

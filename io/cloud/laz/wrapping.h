@@ -15,8 +15,8 @@ void store(std::byte* target, T value) {
   std::memcpy(target, &value, sizeof(T));
 }
 
-/// Sums and products modulo 2^32, as the format defines them: damaged values must not run into
-/// signed overflow.
+/// Sums and products modulo 2^32, as the format defines them: damaged values must not cause signed
+/// overflow.
 inline std::int32_t wrapping_add(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
 }

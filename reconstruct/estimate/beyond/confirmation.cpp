@@ -7,15 +7,15 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr int kPlacesOfLine = 5;  // along a line
+constexpr int kPlacesOfLine = 5;  // number of points tested along a line
 
-/// Whether the way from a point to a camera passes below the surface.
+/// Whether the ray from a point to a camera passes below the surface.
 bool is_hidden(const Surface& surface,
                const Eigen::Vector3d& x_in_local,
                const Eigen::Vector3d& camera_in_local,
                double highest_m) {
   constexpr double kStep_m = 0.5;
-  constexpr double kBelow_px = 2.0;  // in disparities; errors of the surface at edges are smaller
+  constexpr double kBelow_px = 2.0;  // in disparities; surface errors at edges are smaller
   const Eigen::Vector3d ray = (camera_in_local - x_in_local).normalized();
   if (!(ray.z() > 0.0)) return false;
   const Rectification& r = surface.rectification;

@@ -7,8 +7,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// The extensions of the estimation that the options switch on: other ends for uncertain lines,
-/// depth_consensus and network.
+/// The extensions of the estimation that the options switch on (common_part and consensus), and the
+/// network adjustment.
 /// @param surface_of  the surfaces of the pairs; they must live as long as the result
 EstimateExtensions estimate_extensions(const EstimationOptions& options,
                                        const SurfaceOf& surface_of = no_surface);

@@ -21,7 +21,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Parameters from..to along a line, 0 at its start and 1 at its end; none if from >= to.
+/// Parameters from..to along a line, 0 at its start and 1 at its end; empty if from >= to.
 struct LinePart {
   double from = 0.0, to = 1.0;
   [[nodiscard]] double share() const { return std::max(to - from, 0.0); }
@@ -65,8 +65,8 @@ Eigen::Matrix<double, 2, 3> across(const Eigen::Vector3d& direction) {
   return axes;
 }
 
-/// How far the ends of `shorter` lie across `longer`, as squared distances by their covariances;
-/// four degrees of freedom. The correlation of the two ends is left out: it is low.
+/// Squared distances of the ends of `shorter` across `longer`, normalised by their covariances;
+/// four degrees of freedom. The correlation of the two ends is neglected because it is low.
 double squared_difference(const UncertainLine& longer, const UncertainLine& shorter) {
   const Segment3& along = longer.segment_in_world;
   const auto axes = across(along.end - along.start);
@@ -83,7 +83,7 @@ double squared_difference(const UncertainLine& longer, const UncertainLine& shor
 }
 
 constexpr double kReach_m =
-    1.0;  // lines farther off in plan are no duplicates, whatever their covariances
+    1.0;  // lines farther apart in plan are never duplicates, whatever their covariances
 
 bool is_within_reach(const Segment3& longer, const Segment3& shorter) {
   return std::ranges::all_of(std::array{shorter.start, shorter.end}, [&](const Eigen::Vector3d& x) {
@@ -92,7 +92,7 @@ bool is_within_reach(const Segment3& longer, const Segment3& shorter) {
   });
 }
 
-/// Probability that chi-square of four degrees of freedom exceeds a value.
+/// Probability that chi-square with four degrees of freedom exceeds a value.
 double chi_square_tail(double value) { return std::exp(-0.5 * value) * (1.0 + 0.5 * value); }
 
 /// A duplicate of a line, and whether it runs the other way.
@@ -111,7 +111,7 @@ class Merger {
     find_twins();
   }
 
-  /// The lines that are tied to one of these by duplicates, over any number of them.
+  /// The lines that are tied to one of these by a chain of duplicates of any length.
   [[nodiscard]] std::vector<bool> tied_to(const std::vector<bool>& these) const {
     std::vector<bool> is_tied = these;
     std::vector<std::size_t> next;
@@ -129,9 +129,10 @@ class Merger {
     return is_tied;
   }
 
-  /// The merged lines of all but those of `is_left`, which have no duplicate among the others.
+  /// The merged lines of all lines except those of `is_left`, which have no duplicate among the
+  /// others.
   [[nodiscard]] std::vector<MergedLine> merge(const std::vector<bool>& is_left) const {
-    std::vector<bool> is_taken = is_left;  // as a line, or as a part of one
+    std::vector<bool> is_taken = is_left;  // as a line or as part of one
     std::vector<MergedLine> merged;
     for (const std::size_t i : in_order_of_choice()) {
       if (is_taken[i] || !counts(i)) continue;
@@ -166,7 +167,7 @@ class Merger {
     if (lines_[i].cell == lines_[j].cell) return std::nullopt;
     const Eigen::AlignedBox2d both = covered(lines_[i].cell).intersection(covered(lines_[j].cell));
     if (both.isEmpty()) return std::nullopt;
-    // The relation must not depend on the order of the two.
+    // The relation must not depend on the order of the two lines.
     const bool i_is_longer = std::tuple(length(segment(i)), i) > std::tuple(length(segment(j)), j);
     const std::size_t a = i_is_longer ? i : j;
     const std::size_t b = i_is_longer ? j : i;
@@ -198,7 +199,7 @@ class Merger {
            });
   }
 
-  /// Lines that their own square has, first; the longest first.
+  /// Lines found by the patch of their own square come first, then the longest ones.
   [[nodiscard]] std::vector<std::size_t> in_order_of_choice() const {
     std::vector<std::size_t> order(lines_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -220,15 +221,15 @@ class Merger {
     return merged;
   }
 
-  /// Takes the end of the line from its duplicates, and from the duplicates of these, as long as it
-  /// lies beyond the square of the patch that it comes from.
+  /// Takes the end of the line from its duplicates, and from their duplicates in turn, as long as
+  /// it lies beyond the square of the patch that it comes from.
   void prolong(std::size_t i,
                bool at_start,
                UncertainLine& line,
                std::vector<bool>& is_taken) const {
     Segment3& whole = line.segment_in_world;
     std::size_t from = i;
-    bool reversed = false;  // of `from` against `i`
+    bool reversed = false;  // `from` relative to `i`
     while (grid_.cell_of((at_start ? whole.start : whole.end).head<2>()) != lines_[from].cell) {
       std::optional<Duplicate> farthest;
       double reach = at_start ? 0.0 : 1.0;
@@ -251,7 +252,7 @@ class Merger {
     return start ? segment(i).start : segment(i).end;
   }
 
-  /// Ends that two patches found are independent but for what their images share.
+  /// Ends found in two patches are treated as independent, although the patches may share images.
   void take_end(std::size_t from, bool at_start, bool its_start, UncertainLine& line) const {
     (at_start ? line.segment_in_world.start : line.segment_in_world.end) = end_of(from, its_start);
     const Eigen::Index at = at_start ? 0 : 3;
@@ -270,7 +271,7 @@ class Merger {
   std::vector<GridCell> owners_;               ///< the square of each midpoint
 };
 
-/// The order of squares and numbers.
+/// Sort key by square, then number.
 std::tuple<GridCell, std::size_t> place_of(const MergedLine& line) {
   return {line.cell, line.line};
 }

@@ -10,23 +10,24 @@ namespace ridgeline::reconstruct {
 
 /// The options of the extensions of the estimation; see estimate_extensions().
 struct EstimateExtensionOptions {
-  /// A line of two images is the part that both show, as a line of more images is the part that two
-  /// of them show. Where only one segment goes on, the other image has no evidence of its height.
+  /// A line of two images is the part that both show, just as a line of more images is the part
+  /// that two of them show. Where only one segment continues, the other image gives no evidence of
+  /// its height.
   bool common_part = true;
   /// Right segments of not_aligned matches are moved to where the right image shows what lies under
-  /// the left ones, by the colour profiles across the lines. See compare_profiles().
+  /// the left ones, according to the colour profiles across the lines. See compare_profiles().
   bool register_profiles = true;
-  /// Sigmas depend on how alike both images show the two edges of a match, and the error that both
-  /// have in common is added. See own_sigma_scale() and add_shared_error().
+  /// Sigmas depend on how similar the two edges of a match are, and the error common to both images
+  /// is added. See own_sigma_scale() and add_shared_error().
   bool shared_errors = true;
   /// Only points that agree on the depth of the line are used. If fewer than two remain, the ends
   /// of both segments and horizontality help. See agree_on_depth().
   bool consensus = true;
-  /// Dense matching of the pair tells how deep the surfaces beside each line are. See SurfaceDepth.
-  /// Without it faces_beside does nothing either.
+  /// Dense matching of the pair gives the depth of the surfaces beside each line. See SurfaceDepth.
+  /// Without it, faces_beside has no effect either.
   bool surface = true;
-  /// `joint` and `network` adjust lines to the plane faces that they border in the surface by dense
-  /// matching. See adjust_to_faces_beside().
+  /// `joint` and `network` adjust lines to the plane faces that they border in the surface from
+  /// dense matching. See adjust_to_faces_beside().
   bool faces_beside = true;
 
   /// Whether `joint` and `network` adjust lines to the plane faces beside them.
@@ -62,10 +63,10 @@ struct EstimateExtensionOptions {
   }
 };
 
-/// How lines of buildings meet and lie, for depth_consensus and network.
+/// How lines of buildings meet and how level they are, for depth_consensus and network.
 struct BuildingOptions {
   double sigma_meeting_m = 0.1;  ///< sigma of the distance of lines that meet
-  double max_miss_m = 2.5;       ///< of lines that only seem to meet; only a test of units sets it
+  double max_miss_m = 2.5;       ///< of lines that only seem to meet; set only by a test
   double sigma_slope = 0.01;     ///< sigma of the slope of lines that are built horizontal
 
   static constexpr auto fields() {
@@ -79,10 +80,10 @@ struct BuildingOptions {
 
 /// The options of depth_consensus.
 struct ConsensusOptions {
-  double gable_share = 0.8;  ///< prior share of gables among what has the shape of one
+  double gable_share = 0.8;  ///< prior share of gables among gable-shaped groups of lines
   double step_share = 0.07;  ///< prior share of crossings where a row of lines has a step
-  /// A line is given no geometry if another depth explains it about as well: if the log of the odds
-  /// between both depths is below this.
+  /// A line gets no geometry if another depth explains it about as well, i.e. if the log odds
+  /// between the two depths are below this.
   double min_depth_margin = 2.5;
 
   static constexpr auto fields() {

@@ -19,17 +19,16 @@ namespace {
 constexpr double kShiftStep_px = 0.125;
 constexpr int kHalfWidth = 16;  // half width of the left profile, in steps: 2 px
 constexpr int kMaxShift = 20;   // largest shift, in steps: 2.5 px
-constexpr int kMaxRows = 40;    // most rows that a profile is averaged over
+constexpr int kMaxRows = 40;    // maximum number of rows over which a profile is averaged
 
-/// Profiles as alike as this show the same surfaces on both sides.
+/// Profiles at least this similar show the same surfaces on both sides.
 constexpr double kMinNcc = 0.985;
-/// Profiles are registered if that makes them more alike by at least this. Both limits were chosen
-/// by the true errors on simulated training villages: 31 of 37 registered lines come closer to the
-/// true line, 3 move away.
+/// Profiles are registered if that increases their correlation by at least this much. Both limits
+/// were chosen from the true errors in simulated training villages: 31 of 37 registered lines come
+/// closer to the true line, 3 move away.
 constexpr double kMinGain = 0.003;
 
-/// Mean colours along a line at steps across it, -n..n; empty if a sample lies outside of the
-/// image.
+/// Mean colours along a line at steps across it, -n..n; empty if a sample lies outside the image.
 std::vector<Colour> profile_across(const ImageSampler& image,
                                    const std::vector<Eigen::Vector2d>& on_line,
                                    const Eigen::Vector2d& side,
@@ -40,7 +39,7 @@ std::vector<Colour> profile_across(const ImageSampler& image,
   return mean_profile(sample_strip(image, on_line, side, grid), grid);
 }
 
-/// Finds the place at which the longer right profile shows the left one.
+/// Finds the shift at which the longer right profile shows the left one.
 ComparedProfiles compared(std::span<const Colour> left, std::span<const Colour> right) {
   std::array<double, 2 * kMaxShift + 1> at{};
   for (std::size_t k = 0; k < at.size(); ++k)
@@ -62,14 +61,14 @@ ComparedProfiles profiles_of_match(const StereoSearch& search,
   if (!searched) return {};
   const auto overlap = epipolar_overlap(*searched, right.line.segment);
   if (!overlap) return {};
-  // Steps are pixels of each view, unless one of them is reduced and the other one is not.
+  // Steps are in pixels of each view, unless only one of the views is reduced.
   constexpr double kMaxScaleRatio = 1.5;
   const Eigen::Matrix2d jacobian = local_transfer(search, midpoint(left.line.segment)).jacobian;
   const double right_px_per_left_px = std::sqrt(std::abs(jacobian.determinant()));
   const bool is_unlike =
       right_px_per_left_px > kMaxScaleRatio || right_px_per_left_px < 1.0 / kMaxScaleRatio;
   const StripFrame frame = strip_frame({left, right, *overlap}, kMaxRows);
-  // The sides are those of the left segment, whichever way the right one runs.
+  // The sides are those of the left segment, whatever the direction of the right one.
   const double sign = overlap->reversed() ? -1.0 : 1.0;
   const double right_step_px = frame.scale_px * (is_unlike ? right_px_per_left_px : 1.0);
   const Eigen::Vector2d side_in_right = sign * right_step_px * normal(right.line.segment);

@@ -12,13 +12,13 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kAlike = 0.1;      // scale^2 for equal profiles
-constexpr double kDifferent = 6.0;  // growth of scale^2 for profiles with nothing in common
-constexpr double kHalfway = 0.02;   // loss of correlation at half of this growth
+constexpr double kDifferent = 6.0;  // increase of scale^2 for profiles with nothing in common
+constexpr double kHalfway = 0.02;   // loss of correlation at half this increase
 
 constexpr double kSharedShift_px = 0.1;
 constexpr double kSharedTurn_px = 0.03;
 
-/// How a point moves if its image moves by one pixel across the line.
+/// The shift of a point whose image moves by one pixel across the line.
 Eigen::Vector3d across_per_px(const ProjectionMatrix& image_from_local,
                               const Eigen::Vector3d& x,
                               const Eigen::Vector3d& along) {
@@ -39,7 +39,7 @@ double own_sigma_scale(double similarity) {
 }
 
 double agreement_sigma_scale(const ObservedTrack& line) {
-  constexpr double kPriorFreedoms = 4.0;  // beside 2 N - 4 of the adjustment: 2 N in all
+  constexpr double kPriorFreedoms = 4.0;  // plus 2 N - 4 of the adjustment: 2 N in total
   if (line.observations.size() < 3) return 1.0;
   const auto adjusted = adjust_line(transformed(line.observations, &ObservedLine::plane), {});
   if (!adjusted || !adjusted->full_rank) return 1.0;

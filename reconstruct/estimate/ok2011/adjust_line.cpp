@@ -29,7 +29,7 @@ struct LineEquations {
   double omega = 0.0;                  ///< sum (C M)' S^-1 (C M)
 
   /// C is taken at the fitted entity e + cov_e G' S^-1 C M, which is on the line. With the observed
-  /// entity the right side would not be the gradient of omega, and lines whose planes nearly
+  /// entity, the right side would not be the gradient of omega, and lines whose planes nearly
   /// coincide would oscillate.
   void add(const Incidence& incidence, const Uncertain<4>& entity) {
     const Eigen::Matrix<double, 2, 4>& g = incidence.g;
@@ -77,12 +77,12 @@ LineEquations line_equations(const AdjustedConditions& conditions,
   return n;
 }
 
-/// The normal equations in the four free directions of the line, solved by their eigenvectors so
-/// that a free direction gets no increment instead of an arbitrary one.
+/// The normal equations in the four free directions of the line, solved by their eigenvectors, so
+/// that an undetermined direction gets no increment rather than an arbitrary one.
 struct Increment {
   Vector6d step;
   Matrix6d cov;
-  double largest_in_sigma;  ///< largest increment along an eigenvector, in its sigma
+  double largest_in_sigma;  ///< largest increment along an eigenvector, in units of its sigma
   bool full_rank;
 };
 
@@ -127,14 +127,14 @@ Vector6d start_line(const AdjustedConditions& c) {
   return project_to_pluecker_quadric(null_vector(stacked));
 }
 
-/// The component of the line that chooses the rows. It is kept within an adjustment until another
+/// The component of the line that selects the rows. It is kept within an adjustment until another
 /// one has become more than twice as large, because a change of rows between passes can oscillate.
 int keep_or_replace(int dominant, const Vector6d& line) {
   const int largest = dominant_component(line);
   return std::abs(line(largest)) > 2.0 * std::abs(line(dominant)) ? largest : dominant;
 }
 
-/// A line, the component that chooses its rows, and the normal equations there.
+/// A line, the component that selects its rows, and the normal equations at the line.
 struct Linearised {
   Vector6d line;
   int dominant;
@@ -155,8 +155,8 @@ std::optional<AdjustedLine> adjust_line(std::span<const UncertainPlane3> planes,
                                         std::span<const UncertainPoint3> points,
                                         std::optional<double> sigma_slope) {
   constexpr int kMaxPasses = 20;
-  // 0.01 would be enough for the accuracy. This makes the result independent of the frame to the
-  // last digits.
+  // 0.01 would suffice for the accuracy. This value makes the result independent of the frame to
+  // the last digits.
   constexpr double kConvergedSigma = 1e-6;
   if (planes.size() + points.size() < 2) return std::nullopt;
 

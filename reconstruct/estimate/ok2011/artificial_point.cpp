@@ -15,8 +15,8 @@ namespace {
 using Matrix5d = Eigen::Matrix<double, 5, 5>;
 using Vector5d = Eigen::Matrix<double, 5, 1>;
 
-/// One image point within the adjustment. The two rows of S(x) P X = 0 stay those of the largest
-/// component of the observed x.
+/// One image point within the adjustment. The two rows of S(x) P X = 0 are always chosen by the
+/// largest component of the observed x.
 struct Adjusted {
   const ViewedPoint& observation;
   RowPair rows;
@@ -60,7 +60,7 @@ Eigen::Vector4d first_guess(std::span<const ViewedPoint> observations) {
 }
 
 /// The normal equations bordered by the length constraint h = (X'X - 1) / 2. Their upper block is
-/// divided by `scale`, so that block and border have the same size for any precision of the
+/// divided by `scale`, so that block and border have the same magnitude for any precision of the
 /// observations.
 struct NormalEquations {
   Matrix5d matrix = Matrix5d::Zero();

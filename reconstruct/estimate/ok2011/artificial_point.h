@@ -23,11 +23,12 @@ struct EstimatedPoint {
   int passes = 0;
 };
 
-/// The 3D point of its images by an iterated Gauss-Helmert adjustment with one constraint (Ok et
-/// al. 2011, Eqs. 3 and 4): observations x_j, conditions S_r(x_j) P_j X = 0, constraint |X| = 1. It
-/// starts from the null vector of the stacked S(x_j) P_j. Two observations or more are needed; they
-/// count as uncorrelated. Empty if it does not converge in ten passes or the point is not
-/// determined. Throws std::invalid_argument for fewer than two observations.
+/// The 3D point estimated from its images by an iterated Gauss-Helmert adjustment with one
+/// constraint (Ok et al. 2011, Eqs. 3 and 4): observations x_j, conditions S_r(x_j) P_j X = 0,
+/// constraint |X| = 1. It starts from the null vector of the stacked S(x_j) P_j. At least two
+/// observations are needed; they are assumed to be uncorrelated. Empty if it does not converge in
+/// ten passes or the point is not determined. Throws std::invalid_argument for fewer than two
+/// observations.
 std::optional<EstimatedPoint> estimate_point(std::span<const ViewedPoint> observations);
 
 }  // namespace ridgeline::reconstruct

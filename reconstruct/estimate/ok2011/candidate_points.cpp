@@ -27,7 +27,7 @@ Crossings crossings(const ObservedTrack& line, const ObservedTrack& counterpart)
   return all;
 }
 
-/// The epipolar lines of the first view are those of the second one; of all others, those of the
+/// The epipolar line in the first view comes from the second one; in all other views, from the
 /// first one.
 PairMeasures measures(const ConditionedViews& frames, const Crossings& crossings) {
   std::vector<PairMeasures> images;

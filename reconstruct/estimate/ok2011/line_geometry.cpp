@@ -14,7 +14,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 /// The plane through the image line that is normal to the segment at `x`. Only the position of x
-/// along the segment makes it uncertain.
+/// along the segment contributes to its uncertainty.
 UncertainPlane3 end_plane(const ConditionedView& view,
                           const ObservedLine& observed,
                           const Eigen::Vector2d& x) {
@@ -27,7 +27,7 @@ UncertainPlane3 end_plane(const ConditionedView& view,
 struct Endpoint {
   Eigen::Vector4d point;
   Eigen::Matrix<double, 3, 6> jacobian;  ///< derivative of the Euclidean point by the line
-  Eigen::Matrix3d cov_along;             ///< the covariance's share of the image endpoint
+  Eigen::Matrix3d cov_along;             ///< contribution of the image endpoint to the covariance
 };
 
 /// The endpoint X = Gamma(L) B with dX/dL = -Pi'(B), dX/dB = Gamma(L).
@@ -52,15 +52,15 @@ UncertainSegment3 joined(const UncertainLine3& line, const Endpoint& start, cons
   return {{start.point.hnormalized(), end.point.hnormalized()}, cov};
 }
 
-/// How far along a line a view shows it, at one end.
+/// How far a view shows a line, towards one end.
 struct EndReach {
   Endpoint end;
-  double parameter = 0.0;  ///< along the line, in the direction of the end looked for
+  double parameter = 0.0;  ///< along the line, towards that end
   double sigma = 0.0;      ///< of the parameter
 };
 
-/// The farthest end that two views show: of the views that agree with the second farthest one, the
-/// middle one.
+/// The farthest end that two views show: the middle one of the views that agree with the second
+/// farthest one.
 Endpoint end_of_two_views(std::vector<EndReach> by_view) {
   constexpr double kAgreeingSigma = 3.0;
   std::ranges::sort(by_view, std::greater{}, &EndReach::parameter);
@@ -72,7 +72,7 @@ Endpoint end_of_two_views(std::vector<EndReach> by_view) {
   return by_view[by_view.size() / 2].end;
 }
 
-/// The part of a line that two views show; nothing if no part is shown by two.
+/// The part of a line that two views show; empty if there is no such part.
 std::optional<UncertainSegment3> part_of_two_views(const ConditionedViews& frames,
                                                    const ObservedTrack& track,
                                                    const UncertainLine3& line,

@@ -17,8 +17,8 @@ struct UncertainSegment3 {
 
 /// The part of a 3D line seen as an image segment, in the conditioned frame: each endpoint is where
 /// the line meets the plane of the image line through the segment's end, normal to the segment. The
-/// covariance of an endpoint is the sum of the shares of the line and, along the line, of the image
-/// endpoint.
+/// covariance of an endpoint is the sum of the contributions of the line and, along the line, of
+/// the image endpoint.
 std::optional<UncertainSegment3> endpoints(const UncertainLine3& line,
                                            const ConditionedView& view,
                                            const ObservedLine& observed,
@@ -27,12 +27,11 @@ std::optional<UncertainSegment3> endpoints(const UncertainLine3& line,
 /// The larger height sigma of the two ends of a segment.
 double largest_sigma_z_m(const Matrix6d& cov_m2);
 
-/// Sets the geometry of the result to the part of the line that its views show.
+/// Sets the geometry of the result to the part of the line that its views show:
 /// - to the farthest ends that two views show, each the median of the views that agree within 3
 ///   sigma;
-/// - between the ends of the base segment: of two segments without TrackedLines::common_part or of
-/// a
-///   part of a cut track, and where no part is common to two views.
+/// - between the ends of the base segment if no part is common to two views, and, of two segments,
+///   if the line is a part of a cut track or TrackedLines::common_part is not set.
 /// Returns false and changes nothing if a camera does not see the line between its base ends.
 bool assign_geometry(const TrackedLines& lines,
                      const ObservedTrack& track,

@@ -11,14 +11,14 @@
 
 namespace ridgeline::reconstruct {
 
-/// kDirect and kJoint are those of Ok et al. 2011, section 3. The others are ours: kNetwork,
-/// kPlanes (lines that no edge shows) and kLines (those of kNetwork, and of kPlanes where no edge
-/// gives one).
+/// kDirect and kJoint are the methods of Ok et al. 2011, section 3. The others are ours: kNetwork,
+/// kPlanes (lines without a visible edge) and kLines (the lines of kNetwork, plus those of kPlanes
+/// where no edge gives a line).
 enum class Method : std::uint8_t { kPlanes, kDirect, kJoint, kNetwork, kLines };
 inline constexpr std::array kMethods{Method::kLines, Method::kNetwork, Method::kJoint,
                                      Method::kDirect, Method::kPlanes};
 const char* name(Method method);  ///< "planes" | "direct" | "joint" | "network" | "lines"
-/// Whether the method gives lines that no edge shows, which take surfaces (plane_lines()).
+/// Whether the method gives lines without a visible edge, which requires surfaces (plane_lines()).
 constexpr bool has_lines_of_planes(Method method) {
   return method == Method::kPlanes || method == Method::kLines;
 }

@@ -8,7 +8,7 @@
 
 namespace ridgeline::reconstruct {
 
-/// How well two lines that are taken to meet support a 3D point, in one image.
+/// How well two lines that are assumed to meet support a 3D point, in one image.
 struct PairMeasures {
   double distance_px;  ///< distance between the segments
   /// Distance of the intersection point from its counterpart's epipolar line.
@@ -16,7 +16,7 @@ struct PairMeasures {
   double angle_rad;  ///< acute angle enclosed by the segments
 };
 
-/// The smallest one of all images for each measure ("minimum" in Ok et al. 2011).
+/// The smallest value of each measure over all images ("minimum" in Ok et al. 2011).
 PairMeasures smallest_of_each(std::span<const PairMeasures> images);
 
 /// T_w of Ok et al. 2011, section 3.1: points up to this weight are discarded.

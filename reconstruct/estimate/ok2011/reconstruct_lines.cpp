@@ -19,7 +19,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// The largest epipolar angle of all pairs of views, of each pair the smaller one of both images.
+/// The largest epipolar angle over all pairs of views; for each pair, the smaller angle of the two
+/// images.
 double epipolar_angle_rad(const ConditionedViews& frames, const ObservedTrack& track) {
   const std::vector<ObservedLine>& lines = track.observations;
   double largest = 0.0;
@@ -103,8 +104,9 @@ void give_up(Failure why, ReconstructedLine& result) {
   result.other_segment_in_local.reset();
 }
 
-/// `result` comes with the line by the method `direct`. The line is replaced if there are points or
-/// ends to adjust it to. It loses its geometry if its depth is ambiguous or the adjustment fails.
+/// `result` initially holds the line by the method `direct`. The line is replaced if there are
+/// points or ends to adjust it to. It loses its geometry if its depth is ambiguous or the
+/// adjustment fails.
 void reconstruct_joint(const TrackedLines& lines,
                        const LineSupport& support,
                        ReconstructedLine& result) {
@@ -128,7 +130,7 @@ void reconstruct_joint(const TrackedLines& lines,
   if (!adjusted->full_rank) result.covariance_m2.reset();
 }
 
-/// The lines of an aligned track by the method `joint`. `direct` is its one line by the method
+/// The lines of an aligned track by the method `joint`. `direct` is its single line by the method
 /// `direct`.
 std::vector<JointLine> reconstruct_aligned(const TrackedLines& lines,
                                            const std::vector<LineSupport>& parts,
@@ -173,7 +175,7 @@ std::vector<std::vector<JointLine>> joint_lines(const TrackedLines& lines,
   tbb::parallel_for(std::size_t{0}, observed.size(), [&](std::size_t i) {
     Interruption::check();
     if (direct[i].line_class != LineClass::kAligned) {
-      // A line that is not aligned rests on the images alone.
+      // A line that is not aligned depends on the images alone.
       by_track[i] = {{direct[i], LineSupport{.track = observed[i]}}};
       return;
     }
@@ -254,8 +256,8 @@ std::vector<ReconstructedLine> reconstruct_lines(const TrackedSegments& tracked,
     lines.common_part = beyond.common_part;
     return lines;
   };
-  // The consensus on the depth of aligned lines uses the lines that these meet as they were
-  // extracted, not as registered.
+  // The consensus on the depth of aligned lines uses the lines that they meet as extracted, not as
+  // registered.
   const TrackedLines lines = lines_of(extracted(tracked), options.line_covariance);
   const std::vector<TrackSegments> corrected = registered(tracked);
   const std::vector<ObservedTrack> observed = lines_of(corrected, options.line_covariance).lines;

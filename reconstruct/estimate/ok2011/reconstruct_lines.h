@@ -31,15 +31,15 @@ const char* name(LineClass line_class);  ///< "not_aligned" | "aligned"
 enum class Determination : std::uint8_t {
   kDirect,         ///< intersection of the projection planes
   kJoint,          ///< planes and two or three points, and horizontality if the points agree on it
-  kOnePoint,       ///< planes and one point: the direction still rests on the planes alone
+  kOnePoint,       ///< planes and one point: the direction still depends on the planes alone
   kSurface,        ///< points fix no direction; the surface beside the line does
-  kSegmentEnds,    ///< points fix no direction; ends of both segments taken as the same
-  kHorizontal,     ///< points fix no direction; the line taken as horizontal
+  kSegmentEnds,    ///< points fix no direction; ends of both segments assumed to coincide
+  kHorizontal,     ///< points fix no direction; the line is assumed to be horizontal
   kNoPoints,       ///< `joint` without a usable point: identical to `direct`
   kRankDeficient,  ///< planes and points leave a direction free: one of many lines, no covariance
-  /// The adjustment still moved after its last pass; the line is that of this pass.
+  /// The adjustment had not converged after its last pass; the line is the result of that pass.
   kNotConverged,
-  kNetwork,  ///< adjusted with all lines that it meets
+  kNetwork,  ///< adjusted together with all lines that it meets
   kPlanes,   ///< intersection of two surfaces where no edge was matched
 };
 
@@ -53,7 +53,7 @@ enum class Failure : std::uint8_t {
 struct UsedPoint {
   Eigen::Vector3d x_in_local;  ///< m
   Eigen::Matrix3d cov_m2;      ///< world axes
-  int neighbour = 0;           ///< index of the other track that the point was made with
+  int neighbour = 0;           ///< index of the other track of the point
   double weight = 0.0;         ///< W of Eq. 6
   /// Omega of the point's estimation, chi-square with 1 degree of freedom.
   double omega = 0.0;
@@ -72,15 +72,15 @@ struct ReconstructedLine : TrackOf<ObservedSegment> {
   std::optional<Failure> failure = Failure::kNoIntersection;
   /// False: two views show the line, and a further one that should show it does not.
   bool confirmed = true;
-  /// The largest angle of all pairs of its observations, of each pair the smaller one of both
-  /// images.
+  /// The largest angle over all pairs of its observations; for each pair, the smaller angle of the
+  /// two images.
   double epipolar_angle_rad = 0.0;
   /// The line in m, as assign_geometry() chooses its ends.
   std::optional<Segment3> segment_in_local;
   std::optional<Matrix6d> covariance_m2;           ///< of (start, end), world axes
   std::optional<Segment3> other_segment_in_local;  ///< the same line between the ends of other()
-  /// The larger height sigma of the two endpoints by `direct`, whatever the method. It tells weak
-  /// lines apart by precision, as the class does by angle. Empty without an intersection.
+  /// The larger height sigma of the two endpoints by `direct`, whatever the method. It identifies
+  /// weak lines by precision, as the class does by angle. Empty without an intersection.
   std::optional<double> direct_sigma_z_m;
   std::vector<UsedPoint> points;
   /// Sum of squared normalised misclosures of the adjustment; 0 for `direct`. For `network` only
@@ -92,7 +92,7 @@ struct ReconstructedLine : TrackOf<ObservedSegment> {
 /// ("direct", "one_point", ...).
 const char* status_name(const ReconstructedLine& line);
 
-/// A line by `joint` with its support beside its planes.
+/// A line by `joint` with its support in addition to its planes.
 struct JointLine {
   ReconstructedLine line;
   LineSupport support;
@@ -102,15 +102,15 @@ struct JointLine {
 using SupportOfTrack = std::function<std::vector<LineSupport>(const ObservedTrack& line,
                                                               std::span<const int> neighbours)>;
 
-/// The places where extensions beyond the paper enter the estimation. Each may be empty.
+/// Hooks for extensions of the estimation beyond the paper. Each may be empty.
 struct EstimateExtensions {
   bool common_part = false;  ///< see TrackedLines::common_part
-  /// Gives the support of aligned lines in place of published_support(), from all lines and the
+  /// Gives the support of aligned lines instead of published_support(), from all lines and the
   /// lines by `direct`.
   std::function<SupportOfTrack(const TrackedLines& lines,
                                std::span<const ReconstructedLine> direct)>
       support;
-  /// For Method::kNetwork: adjusts the lines of `joint`, by track, together. `lines` have
+  /// For Method::kNetwork: jointly adjusts the lines of `joint`, given by track. `lines` have
   /// covariances of the centroid form.
   std::function<void(const TrackedLines& lines,
                      std::span<const PairConnection> connections,
@@ -119,23 +119,22 @@ struct EstimateExtensions {
 };
 
 /// The 3D lines of tracks of image segments (Ok et al. 2011, section 3), in the order of the
-/// tracks. A not_aligned line is the intersection of the projection planes, or adjusted to those of
-/// three observations and more. With Method::kJoint, an aligned line is adjusted to these planes
-/// and to the best artificial points made with the lines that it has a pair connection with. With
+/// tracks. A not_aligned line is the intersection of the projection planes, or is adjusted to those
+/// of three or more observations. With Method::kJoint, an aligned line is adjusted to these planes
+/// and to the best artificial points formed with the lines to which it has a pair connection. With
 /// Method::kNetwork, all these lines are then adjusted together (adjust_network()). If a base
 /// segment belongs to several tracks, each line gets the part that the other segment shows. There
 /// is one line per track, or several for an aligned track that shows several lines by
 /// agree_on_depth().
 ///
-/// @param tracked  its cameras count as free of error. Its registrations correct the places of the
-/// segments
-///                 (compare_profiles()); the points of other lines are made with the segments as
-///                 they are.
-/// Results do not depend on the number of threads or the order of the connections.
-/// Throws std::invalid_argument for fewer than two images, options out of range, an index out of
-/// range, a track that does not begin with two views, a connection of a track with itself, a
-/// segment without length or precision, registrations that are not finite or not as many as the
-/// observations, and Method::kNetwork without its extension.
+/// @param tracked  its cameras are assumed to be free of error; its registrations correct the
+///                 positions of the segments (compare_profiles()), but artificial points use the
+///                 neighbouring lines as extracted
+/// Results do not depend on the number of threads or the order of the connections. Throws
+/// std::invalid_argument for fewer than two images, options out of range, an index out of range, a
+/// track that does not begin with two views, a connection of a track with itself, a segment without
+/// length or precision, registrations that are not finite or not one per observation, and
+/// Method::kNetwork without its extension.
 std::vector<ReconstructedLine> reconstruct_lines(const TrackedSegments& tracked,
                                                  const ReconstructOptions& options = {},
                                                  const EstimateExtensions& beyond = {});

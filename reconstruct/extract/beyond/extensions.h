@@ -6,9 +6,9 @@
 
 namespace ridgeline::reconstruct {
 
-/// The extensions of the extraction that the options switch on: a second look for faint edges
-/// (faint_edges), cuts of edges where others end on them (junction_cuts), and the separation of
-/// edges that blur into one (close_edges).
+/// The extensions of the extraction that are enabled by the options: a second pass for faint edges
+/// (faint_edges), cutting edges where others end on them (junction_cuts), and separating edges that
+/// blur into one (separate_edges).
 EdgeRefinement edge_refinement(const ExtractionOptions& options);
 
 }  // namespace ridgeline::reconstruct

@@ -8,9 +8,9 @@
 
 namespace ridgeline::reconstruct {
 
-/// The known edges, followed by those that a second look with more smoothing finds beside them.
-/// Ridges and hips between faces of nearly the same colour are too faint for the first look. There
-/// is no second look if the first one was about as smooth, as it is in a soft image.
+/// The known edges, followed by additional ones found by a second pass with more smoothing. Ridges
+/// and hips between faces of nearly the same colour are too faint for the first pass. There is no
+/// second pass if the first one used about the same smoothing, as in a soft image.
 std::vector<EdgeTrace> with_faint_edges(std::vector<EdgeTrace> known,
                                         const ImagePart& image,
                                         const ExtractionOptions& options);

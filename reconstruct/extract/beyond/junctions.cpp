@@ -17,17 +17,17 @@ namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
-constexpr double kMeetingReach_px = 6.0;  ///< an edge ends a little before the one that it meets
+constexpr double kMeetingReach_px = 6.0;  ///< an edge ends slightly before the one that it meets
 constexpr double kGap_px = 3.0;           ///< a strip that crosses an edge interrupts it
-/// In multiples of min_length_px: short parts are matched badly.
+/// In multiples of min_length_px; short parts are matched poorly.
 constexpr double kMinPartLength = 2.5;
-/// A cut stays if two lines fit better than one by this, root mean square (beyond.md).
+/// Minimum improvement of the fit by two lines for a cut to be kept, root mean square (beyond.md).
 constexpr double kMinJunctionBend_px = 0.05;
 constexpr double kMinAngle_rad = 20.0 * kRadPerDeg;
 
-/// The ends of all edges; end k is of edge k / 2.
+/// The ends of all edges; end k belongs to edge k / 2.
 struct Ends {
-  std::vector<Segment2> places;  ///< segments of no length
+  std::vector<Segment2> places;  ///< segments of zero length
   BoxIndex2 index;
 };
 
@@ -40,8 +40,8 @@ Ends ends_of(const std::vector<EdgeTrace>& edges) {
   return {places, BoxIndex2(places)};
 }
 
-/// The samples of a trace at which other edges end or before which it is interrupted, in order. A
-/// group of neighbours gives one sample.
+/// The samples of a trace, in order, at which other edges end or before which the trace is
+/// interrupted. A group of neighbouring samples gives one junction.
 std::vector<std::size_t> junctions_of(std::size_t edge,
                                       const std::vector<EdgeTrace>& edges,
                                       const std::vector<PrincipalAxes>& axes,
@@ -76,14 +76,14 @@ std::vector<std::size_t> junctions_of(std::size_t edge,
   return at;
 }
 
-/// A run of samples [first, last) and its sums.
+/// A run of samples [first, last) with its sums.
 struct TraceRun {
   std::size_t first = 0, last = 0;
   LineSums sums;
 };
 
-/// How much better two lines fit than one, relative to what a bend needs: the edge bends if this is
-/// 1 or more.
+/// The improvement of the fit by two lines instead of one, relative to the minimum for a bend: the
+/// edge bends if the value is 1 or more.
 double bend_of(const TraceRun& a, const TraceRun& b, double least_bend_px) {
   // This threshold allows for the two parameters of the second line and for the correlation of edge
   // pixels.
@@ -113,7 +113,7 @@ std::vector<TraceRun> runs_between(const Points& points,
   return runs;
 }
 
-/// Joins the two neighbouring runs for which that costs least, until none costs less than `limit`.
+/// Repeatedly joins the two neighbouring runs with the lowest cost, until no cost is below `limit`.
 /// @param cost  cost of joining two neighbours
 template <typename Cost>
 void join(std::vector<TraceRun>& runs, double limit, const Cost& cost) {
@@ -132,8 +132,8 @@ void join(std::vector<TraceRun>& runs, double limit, const Cost& cost) {
   }
 }
 
-/// Joins runs that are too short to the neighbour that they continue best. If two junctions are
-/// close to each other, the one at which the edge changes its course stays.
+/// Joins each run that is too short to the neighbour that it continues best. If two junctions are
+/// close to each other, the one at which the edge changes its course is kept.
 void join_short(std::vector<TraceRun>& runs, const Points& points, double shortest_px) {
   const auto is_short = [&](const TraceRun& run) {
     return (points[run.last - 1] - points[run.first]).norm() < shortest_px;

@@ -8,7 +8,7 @@
 
 namespace ridgeline::reconstruct {
 
-/// The options of the extensions of the extraction; see edge_refinement().
+/// Options for the extensions of the extraction; see edge_refinement().
 struct EdgeExtensionOptions {
   bool faint_edges = true;
   bool junction_cuts = true;
@@ -33,7 +33,7 @@ struct EdgeExtensionOptions {
   }
 };
 
-/// The options of the extraction: those of the paper and those of its extensions.
+/// The options of the extraction: those of the paper's method and those of our extensions.
 struct ExtractionOptions {
   ExtractOptions edges;
   EdgeExtensionOptions beyond;

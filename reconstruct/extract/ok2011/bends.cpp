@@ -9,7 +9,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// An edge is cut where two lines fit better by this, root mean square (calibration.md).
+/// Minimum improvement of the fit by two lines for a cut, root mean square (calibration.md).
 constexpr double kMinBend_px = 0.2;
 
 std::vector<Eigen::Vector2d> along_and_across(std::span<const Eigen::Vector2d> points) {
@@ -23,11 +23,12 @@ std::vector<Eigen::Vector2d> along_and_across(std::span<const Eigen::Vector2d> p
   return turned;
 }
 
-/// The cut at which two lines fit best, if they fit enough better than one line.
+/// The cut at which two lines fit best, if they fit sufficiently better than one line.
 std::optional<std::size_t> best_cut(std::span<const Eigen::Vector2d> points,
                                     const ExtractOptions& options) {
-  // The gain, in variances of the residuals, that is significant. It allows for the three
-  // parameters that the second line and its place add, and for the correlation of edge pixels.
+  // The smallest significant gain, in variances of the residuals. It allows for the three
+  // additional parameters (those of the second line and the position of the cut) and for the
+  // correlation of edge pixels.
   constexpr double kSignificant = 60.0;
   const std::vector<Eigen::Vector2d> x = along_and_across(points);
   LineSums all;
@@ -55,7 +56,7 @@ std::optional<std::size_t> best_cut(std::span<const Eigen::Vector2d> points,
 std::vector<std::size_t> bends(std::span<const Eigen::Vector2d> points,
                                const ExtractOptions& options) {
   std::vector<std::size_t> borders{0};
-  // End of the current part, preceded by those of later parts.
+  // The last element is the end of the current part; before it are the ends of later parts.
   std::vector<std::size_t> ends{points.size()};
   while (!ends.empty()) {
     const std::size_t begin = borders.back();

@@ -11,7 +11,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Smoothing of the gradient that stops the diffusion, and the growth of lambda, per level.
+/// Smoothing of the gradient that controls the diffusion, and factor for lambda, per level.
 struct Level {
   double sigma_px;
   float lambda_factor;
@@ -37,7 +37,7 @@ void add_squared_gradient(const cv::Mat& band, cv::Mat& square) {
   }
 }
 
-/// Tukey's biweight of the common gradient, g = (1 - s^2 / lambda^2)^2 below lambda, else 0.
+/// Tukey's biweight of the common gradient, g = (1 - s^2 / lambda^2)^2 below lambda, otherwise 0.
 cv::Mat diffusivity(const std::vector<cv::Mat>& bands, const cv::Mat& lambda, const Level& level) {
   cv::Mat g = cv::Mat::zeros(lambda.size(), CV_32FC1);
   const int width = 2 * blur_radius_px(level.sigma_px) + 1;
@@ -59,7 +59,7 @@ cv::Mat diffusivity(const std::vector<cv::Mat>& bands, const cv::Mat& lambda, co
   return g;
 }
 
-/// One explicit step; the diffusivity between two pixels is their mean.
+/// One explicit step; the diffusivity between two pixels is the mean of their diffusivities.
 void step(const cv::Mat& band, const cv::Mat& diffusivity, cv::Mat& next) {
   const int last = band.cols - 1;
   for (int y = 0; y < band.rows; ++y) {

@@ -33,8 +33,8 @@ Kernels kernels(double sigma_px) {
   return k;
 }
 
-/// A row of structure tensors, [xx xy; xy yy] and the gradient (x, y) of the sum of the bands. They
-/// are stored by component, which lets the compiler work on several pixels at a time.
+/// A row of structure tensors, [xx xy; xy yy], and the gradients (x, y) of the sum of the bands.
+/// They are stored by component so that the compiler can process several pixels at a time.
 struct TensorRow {
   explicit TensorRow(int n) : xx(n), xy(n), yy(n), x(n), y(n) {}
   std::vector<float> xx, xy, yy, x, y;
@@ -62,14 +62,16 @@ void sum_bands(const float* dx, const float* dy, int n_bands, TensorRow& row) {
   }
 }
 
-/// The principal axis of each tensor with length sqrt(lambda_1), on the side of the grey gradient.
+/// The principal axis of each tensor with length sqrt(lambda_1), pointing to the same side as the
+/// grey gradient.
 void principal_axes_of_row(const TensorRow& row, float* axes) {
   for (std::size_t i = 0; i < row.xx.size(); ++i) {
     const float xy = row.xy[i];
     const float half_difference = 0.5F * (row.xx[i] - row.yy[i]);
     const float root = std::sqrt(half_difference * half_difference + xy * xy);
     const float strength = std::sqrt(0.5F * (row.xx[i] + row.yy[i]) + root);
-    // The eigenvector comes from the row of G - lambda I that does not suffer from cancellation.
+    // The eigenvector is computed from the row of G - lambda I that does not suffer from
+    // cancellation.
     const bool is_first = half_difference >= 0.0F;
     const float x = is_first ? half_difference + root : xy;
     const float y = is_first ? xy : root - half_difference;

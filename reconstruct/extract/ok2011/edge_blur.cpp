@@ -21,9 +21,10 @@ constexpr std::size_t kNumBlurs = 24;
 double half_width_px() { return profile_half_width_px(kTypicalBlur_px); }
 double blur_px(std::size_t i) { return kMinBlur_px + kStep_px * static_cast<double>(i); }
 
-/// The blur at which one step describes the profile best, if it does so well.
+/// The blur at which one step describes the profile best, if that step describes it well.
 std::optional<double> best_blur_px(const BinnedProfile& profile, std::span<const StepBasis> bases) {
-  // Largest share of the profile's squares that a step may leave unexplained at a clean edge.
+  // Maximum share of the profile's sum of squares that one step may leave unexplained at a clean
+  // edge.
   constexpr double kMaxUnexplainedShare = 0.15;
   double best = 0.0;
   std::size_t at = 0;
@@ -37,7 +38,7 @@ std::optional<double> best_blur_px(const BinnedProfile& profile, std::span<const
   return blur_px(at);
 }
 
-/// The blur in units of `unit_px`.
+/// The median blur in units of `unit_px`.
 std::optional<double> median_blur(const cv::Mat& image,
                                   std::span<const Segment2> segments,
                                   std::span<const StepBasis> bases,
@@ -65,7 +66,7 @@ std::optional<double> median_blur(const cv::Mat& image,
 
 std::optional<double> edge_blur_px(const cv::Mat& image, std::span<const Segment2> segments) {
   constexpr double kMaxOffset_px = 1.0;
-  constexpr double kMaxBlur_px = 1.35;  // wider edges are looked at in pixels twice as large
+  constexpr double kMaxBlur_px = 1.35;  // wider edges are measured in units twice as large
   std::vector<StepBasis> bases;
   bases.reserve(kNumBlurs);
   for (std::size_t i = 0; i < kNumBlurs; ++i) {

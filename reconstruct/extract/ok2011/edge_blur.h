@@ -10,13 +10,13 @@
 
 namespace ridgeline::reconstruct {
 
-/// Standard deviation of the blur of an image's edges, in pixels, where nothing tells it: typical
-/// of aerial images.
+/// Standard deviation, in pixels, assumed for the blur of an image's edges if it cannot be
+/// measured: typical of aerial images.
 inline constexpr double kTypicalBlur_px = 0.6;
 
 /// Standard deviation of the blur of an image's edges, in pixels, from 0.35 to 6. It is the median
-/// over the segments whose profile is best described by one blurred step; nothing with fewer than
-/// five such segments.
+/// over the segments whose profile is described well by one blurred step; std::nullopt with fewer
+/// than five such segments.
 /// @param image  CV_32FC(n), n = 1..4
 std::optional<double> edge_blur_px(const cv::Mat& image, std::span<const Segment2> segments);
 

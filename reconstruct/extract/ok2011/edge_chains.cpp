@@ -14,7 +14,7 @@ constexpr int kReach_px = 2;
 constexpr float kMaxTurnCosine = 0.8F;    // 37 degrees between the edges of two pixels
 constexpr float kMaxDetourCosine = 0.7F;  // 45 degrees between an edge and the step along it
 
-/// Neighbours ahead [0] and behind [1], -1 for none.
+/// Neighbours ahead [0] and behind [1]; -1 if there is none.
 using Links = std::array<int, 2>;
 
 Eigen::Vector2f along(const EdgePixel& pixel) {
@@ -44,7 +44,7 @@ Links nearest(int i, std::span<const EdgePixel> pixels, const cv::Mat& index) {
       if (std::abs(ahead) < kMaxDetourCosine * distance) continue;
       if (std::abs(direction.dot(along(pixels[j]))) < kMaxTurnCosine) continue;
       const int side = ahead > 0.0F ? 0 : 1;
-      // A step along the edge is preferred to an equally long one beside it.
+      // A step along the edge is preferred to an equally long oblique one.
       const float cost = 2.0F * distance - std::abs(ahead);
       if (cost < best[side]) {
         best[side] = cost;
@@ -55,7 +55,7 @@ Links nearest(int i, std::span<const EdgePixel> pixels, const cv::Mat& index) {
   return links;
 }
 
-/// The links of each pixel that both ends name.
+/// The links of each pixel that both of its ends have selected.
 std::vector<Links> mutual_links(std::span<const EdgePixel> pixels, const cv::Mat& index) {
   std::vector<Links> named(pixels.size());
   std::vector<Links> links(pixels.size(), Links{-1, -1});
@@ -76,7 +76,7 @@ std::vector<Links> mutual_links(std::span<const EdgePixel> pixels, const cv::Mat
   return links;
 }
 
-/// Walks from pixel i until the chain ends or comes to a pixel that is taken.
+/// Walks from pixel i until the chain ends or reaches a pixel that is already taken.
 Chain walk(int i, const std::vector<Links>& links, std::vector<char>& taken) {
   Chain chain;
   int previous = -1;

@@ -13,12 +13,12 @@ namespace {
 
 constexpr int kTile_px = 256;
 
-/// Ours: Ok et al. 2011, section 2, diffuse the image as well but give no numbers.
+/// Ours: Ok et al. 2011, section 2, also diffuse the image but give no values.
 constexpr int kDiffusionLevels = 3;
-constexpr double kDiffusionLambda = 2.0;  ///< edges this many times as strong as the noise stop it
+constexpr double kDiffusionLambda = 2.0;  ///< multiple of the noise at which edges stop it
 
-/// Least noise: about an eighth of a step of 8 bit grey values per pixel. Parts that saturate or
-/// are drawn by a computer have almost no gradient.
+/// Lower bound on the noise: about an eighth of an 8-bit grey level per pixel. Saturated or
+/// computer-generated areas have almost no gradient.
 constexpr float kMinNoise = 0.0005F;
 
 std::vector<cv::Rect> tiles(const cv::Size& size_px) {
@@ -85,7 +85,8 @@ GradientImage gradient_image(const ImagePart& part, const ExtractOptions& option
   const std::vector<cv::Rect> all = tiles(image.size());
   tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
     Interruption::check();
-    // The filter sees the pixels around the tile too, because the tile is a part of the image.
+    // The filter also uses the pixels around the tile, because the tile is a submatrix of the
+    // image.
     colour_gradient(image(all[i]), options.gradient_sigma_px).copyTo(gradient(all[i]));
   });
   return {gradient, NoiseGrid(gradient, kMinNoise, part.corner_px)};

@@ -8,17 +8,17 @@
 
 namespace ridgeline::reconstruct {
 
-/// The colour gradient of an image and how strong it is without edges.
+/// The colour gradient of an image and its strength away from edges.
 struct GradientImage {
   cv::Mat gradient;  ///< CV_32FC2, 1/px
   NoiseGrid noise;
 };
 GradientImage gradient_image(const ImagePart& part, const ExtractOptions& options);
 
-/// Edge pixels of the image after diffusion that are stronger than the low threshold; the border of
-/// one pixel has none. The exact place of an edge must be measured in the gradient of the image
-/// itself, because diffusion, like all sharpening, draws edges to the middles of pixels. The
-/// function works on square tiles in parallel. The pixels are ordered by tile, then by row.
+/// Edge pixels of the image after diffusion that are stronger than the low threshold; there are
+/// none in the outermost rows and columns. The exact position of an edge must be measured in the
+/// gradient of the image itself, because diffusion, like any sharpening, pulls edges towards pixel
+/// centres. Square tiles are processed in parallel. The pixels are ordered by tile, then by row.
 std::vector<EdgePixel> detected_edge_pixels(const cv::Mat& image,
                                             const NoiseGrid& noise,
                                             const ExtractOptions& options);

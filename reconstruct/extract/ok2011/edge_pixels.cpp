@@ -13,7 +13,7 @@ float strength(const cv::Vec2f& gradient) { return std::sqrt(gradient.dot(gradie
 }  // namespace
 
 float peak_offset_px(float before, float middle, float after) {
-  static constexpr float kFloor = 1e-12F;  // an exactly flat neighbour has no logarithm
+  static constexpr float kFloor = 1e-12F;  // keeps the logarithm of a flat neighbour finite
   const auto log = [](float value) { return std::log(std::max(value, kFloor)); };
   return vertex_of_parabola(log(before), log(middle), log(after));
 }

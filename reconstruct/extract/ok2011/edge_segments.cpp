@@ -10,14 +10,14 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// The lines of one edge.
+/// The lines of one edge in both kinds of pixels.
 struct EdgeLines {
   const EdgeTrace* trace = nullptr;
   RegressionLine in_image;
   RegressionLine ideal;
 };
 
-/// Maps the points to ideal pixels; false if one of them has none.
+/// Maps the points to ideal pixels; returns false if any of them has none.
 bool map_points(std::span<Eigen::Vector2d> points, const PixelMap& ideal_from_image) {
   for (Eigen::Vector2d& point : points) {
     const auto mapped = ideal_from_image(point);

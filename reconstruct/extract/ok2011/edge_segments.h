@@ -9,8 +9,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// The segments of edges: lines in the pixels of the file and in ideal pixels, their uncertainty,
-/// flanks, contrast and direction. Edges of which a part has no ideal pixel are left out.
+/// Computes the segments of edges: lines in file pixels and in ideal pixels, with uncertainty,
+/// flanks, contrast and direction. Edges are left out if any of their samples has no ideal pixel.
 std::vector<EdgeSegment> edge_segments(const std::vector<EdgeTrace>& edges,
                                        const cv::Mat& image,
                                        const PixelMap& ideal_from_image,

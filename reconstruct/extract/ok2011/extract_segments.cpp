@@ -20,11 +20,11 @@ namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
-/// Least significance() of an edge: a short edge must be strong, a faint one long. Chance
-/// alignments in texture are neither. Ours.
+/// Minimum significance() of an edge: a short edge must be strong and a faint one long. Chance
+/// alignments in texture are neither strong nor long. Ours.
 constexpr double kMinSignificance = 10.0;
 
-/// True if a pixel of the chain is stronger than the high threshold (hysteresis).
+/// Whether any pixel of the chain is stronger than the high threshold (hysteresis).
 bool has_strong_pixel(const Chain& chain,
                       std::span<const EdgePixel> pixels,
                       const NoiseGrid& noise,
@@ -35,7 +35,7 @@ bool has_strong_pixel(const Chain& chain,
   });
 }
 
-/// The straight pieces of the edges of the image, the longest first.
+/// The straight pieces of the edges of the image, longest first.
 std::vector<Points> detected_pieces(const cv::Mat& image,
                                     const NoiseGrid& noise,
                                     const ExtractOptions& options) {
@@ -54,7 +54,7 @@ std::vector<Points> detected_pieces(const cv::Mat& image,
   return all;
 }
 
-/// Mean strength over the noise, times the root of the number of samples.
+/// Mean ratio of strength to noise, multiplied by the square root of the number of samples.
 double significance(const EdgeTrace& trace, const NoiseGrid& noise) {
   double sum = 0.0;
   for (const EdgeSample& sample : trace) {
@@ -65,8 +65,8 @@ double significance(const EdgeTrace& trace, const NoiseGrid& noise) {
   return sum / std::sqrt(static_cast<double>(trace.size()));
 }
 
-/// The parts of a trace that are straight to a fraction of a pixel. Parts of fewer than three
-/// samples are left out, because two samples always fit a line.
+/// The parts of a trace that are straight to within a fraction of a pixel. Parts with fewer than
+/// three samples are left out, because two samples always fit a line.
 std::vector<EdgeTrace> straight_parts(const EdgeTrace& trace, const ExtractOptions& options) {
   const Points points = positions(trace);
   const std::vector<std::size_t> borders = bends(points, options);

@@ -14,20 +14,21 @@
 
 namespace ridgeline::reconstruct {
 
-/// The straight edges of an image, the longest first, without those that are known already.
-/// `image`: not empty.
+/// The straight edges of an image, longest first, without those that are already known. `image`:
+/// not empty.
 std::vector<EdgeTrace> edge_traces(const ImagePart& image,
                                    const ExtractOptions& options,
                                    std::span<const EdgeTrace> known = {});
 
-/// Changes detected edges before segments are made of them. Extensions beyond the paper enter here.
-/// The edges are in the pixels of the image file.
+/// Modifies detected edges before they are turned into segments; extensions beyond the paper are
+/// plugged in here. The edges are in pixels of the image file.
 using EdgeRefinement =
     std::function<std::vector<EdgeTrace>(std::vector<EdgeTrace>, const ImagePart& image)>;
 
 /// The straight edges of an image with their uncertainty (Ok et al. 2011, section 2), in a
 /// fixed order. An image without texture has none.
-/// `image`: not empty. Throws std::invalid_argument for another type and for options out of range.
+/// `image`: not empty. Throws std::invalid_argument if the image has a different type or an option
+/// is out of range.
 std::vector<EdgeSegment> extract_segments(const ImagePart& image,
                                           const PixelMap& ideal_from_image = {},
                                           const ExtractOptions& options = {},

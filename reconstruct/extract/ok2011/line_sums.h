@@ -7,8 +7,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// Sums over points (t, q) along and across a line. They fit lines to runs of points without
-/// another look at the points.
+/// Sums over points (t, q) along and across a line. They allow lines to be fitted to runs of points
+/// without visiting the points again.
 struct LineSums {
   double n = 0.0, t = 0.0, q = 0.0, tt = 0.0, tq = 0.0, qq = 0.0;
 

@@ -10,14 +10,14 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Reach on both sides of the line, along the axis across it.
+/// Search range on both sides of the line, along the pixel axis across it.
 constexpr int kSearch_px = 2;
 constexpr double kMinAcrossCosine = 0.9;  ///< 25 degrees between gradient and normal
-constexpr double kMinFill = 0.6;          ///< share of the steps that have a sample
-constexpr double kMaxClaimed = 0.5;       ///< share of the samples that other traces have claimed
+constexpr double kMinFill = 0.6;          ///< minimum share of the steps that have a sample
+constexpr double kMaxClaimed = 0.5;       ///< maximum share of the samples claimed by other traces
 constexpr double kRefitGrowth = 1.2;
-constexpr int kMaxGap_px = 10;  ///< an edge that continues after such a gap is the same; ours
-constexpr double kMinRelativeStrength = 0.3;  ///< share of the trace's median strength
+constexpr int kMaxGap_px = 10;                ///< an edge may continue after such a gap; ours
+constexpr double kMinRelativeStrength = 0.3;  ///< relative to the median strength of the trace
 
 double median_strength(const EdgeTrace& trace) {
   return upper_median(transformed(trace, &EdgeSample::strength));
@@ -29,7 +29,7 @@ std::vector<Eigen::Vector2d> positions(const EdgeTrace& trace) {
   return transformed(trace, &EdgeSample::position_px);
 }
 
-/// A line as a function of a row or of a column.
+/// A line as a function of the row or the column.
 struct LineTracer::TracedLine {
   bool steep = false;  ///< whether steps are rows
   Eigen::Vector2d along, normal;
@@ -43,7 +43,7 @@ struct LineTracer::TracedLine {
     slope = along[1 - major] / along[major];
     at_zero = axes.centroid[1 - major] - slope * axes.centroid[major];
   }
-  /// Fits the line to samples. Steps keep their meaning, although the nearer axis may change near
+  /// Fits the line to samples. Steps remain rows or columns, even if the closer axis changes near
   /// 45 degrees.
   void refit(const EdgeTrace& trace) {
     *this = TracedLine(principal_axes(positions(trace)), steep);

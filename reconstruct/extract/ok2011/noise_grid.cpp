@@ -10,7 +10,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Median of a Rayleigh distribution of sigma 1.
+/// Median of a Rayleigh distribution with sigma 1.
 constexpr float kRayleighMedian = 1.1774F;
 
 float median_strength(const cv::Mat& gradient) {
@@ -23,7 +23,7 @@ float median_strength(const cv::Mat& gradient) {
   return std::sqrt(upper_median(std::move(squares)));
 }
 
-/// The block whose middle is before a pixel, the next block, and the share of the next one.
+/// The block whose centre is before a pixel, the next block, and the weight of the next block.
 struct GridPosition {
   int first, second;
   float share;

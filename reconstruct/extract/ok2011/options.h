@@ -7,20 +7,21 @@
 
 namespace ridgeline::reconstruct {
 
-/// Strengths are multiples of the local noise: the typical strength of the gradient where there is
-/// no edge (NoiseGrid).
+/// Strengths are in multiples of the local noise: the typical strength of the gradient away from
+/// edges (NoiseGrid).
 struct ExtractOptions {
   bool diffusion = true;           ///< before detection, except for faint edges
-  double gradient_sigma_px = 0.8;  ///< a larger one loses close edges, a smaller one is noisier
-  double low_noise_factor = 1.0;   ///< least strength of a pixel of an edge
-  double high_noise_factor = 2.0;  ///< least strength of the strongest pixel of an edge
-  double max_deviation_px = 1.0;   ///< straightness: largest distance from the line
+  double gradient_sigma_px = 0.8;  ///< larger values lose close edges, smaller ones are noisier
+  double low_noise_factor = 1.0;   ///< minimum strength of an edge pixel
+  double high_noise_factor = 2.0;  ///< minimum strength of the strongest pixel of an edge
+  double max_deviation_px = 1.0;   ///< straightness: maximum distance from the line
   double min_length_px = 10.0;
-  /// Systematic parts of the stated uncertainty. Where an edge appears depends on the tone curve of
-  /// the image and on details too small to be resolved (gutters, caps of ridges); calibrated on
-  /// rendered roofs, where the tone curve alone moves eaves by 0.1 px towards the dark side.
+  /// Systematic parts of the stated uncertainty. The apparent position of an edge depends on the
+  /// tone curve of the image and on details too small to be resolved (gutters, ridge caps). The
+  /// values are calibrated on rendered roofs, where the tone curve by itself shifts eaves by 0.1 px
+  /// towards the dark side.
   double systematic_across_px = 0.1;  ///< sigma across the line at its centroid
-  double systematic_ends_px = 0.02;   ///< sigma across the line of an end against the centroid
+  double systematic_ends_px = 0.02;   ///< sigma of an end across the line, relative to the centroid
 
   static constexpr auto fields() {
     using O = ExtractOptions;

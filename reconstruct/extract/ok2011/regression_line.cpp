@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kIterations = 3;
 constexpr std::size_t kTrimmed = 2;          ///< number of points at each end
-constexpr std::size_t kMinForTrimming = 12;  ///< least number of points
+constexpr std::size_t kMinForTrimming = 12;  ///< minimum number of points
 constexpr double kHuber = 1.345;
 constexpr double kSigmaOfMedian = 1.4826;
 constexpr double kMinLineSigma_px = 0.02;
@@ -88,13 +88,13 @@ namespace {
 constexpr std::size_t kMinForStatistics = 30;
 constexpr int kMaxLag = 4;
 constexpr double kShrinkage = 10.0;
-/// Least noise of a point. Edges of a drawing may fit their lines exactly; no line is known
-/// exactly.
+/// Lower bound on the noise of a point. Edges of a drawing may fit their lines exactly, but no line
+/// is known exactly.
 constexpr double kExact_px = 1e-3;
 constexpr double kSigmaAlong_px = 1.0;
 
-/// The two parameters of the line take two independent points, each of which is `correlation`
-/// points.
+/// The two parameters of the line use up two independent points, each of which corresponds to
+/// `correlation` points.
 double degrees_of_freedom(const RegressionLine& line, double correlation) {
   return std::max(1.0, line.sum_weights - 2.0 * correlation);
 }
@@ -119,8 +119,9 @@ struct Autocorrelation {
     ++n_lines;
   }
 
-  /// The factor f = 1 + 2 sum rho_k. Residuals of a line of n points with two parameters have
-  /// correlations r_k = (rho_k - 2 f / n) / (1 - 2 f / n) on average, which is solved for f.
+  /// The factor f = 1 + 2 sum rho_k. The residuals of a line through n points with two parameters
+  /// have on average the correlations r_k = (rho_k - 2 f / n) / (1 - 2 f / n); these equations are
+  /// solved for f.
   [[nodiscard]] double inflation() const {
     if (!(products[0] > 0.0)) return 1.0;  // all lines fit exactly
     double sum = 0.0;

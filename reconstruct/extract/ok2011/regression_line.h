@@ -10,7 +10,7 @@
 
 namespace ridgeline::reconstruct {
 
-/// The line that minimises the distances of points across it.
+/// The line that minimises the perpendicular distances of points.
 struct RegressionLine {
   Eigen::Vector2d centroid;
   Eigen::Vector2d along;  ///< unit, from the first to the last point
@@ -24,34 +24,34 @@ struct RegressionLine {
 };
 
 /// Orthogonal regression with the weights of Huber (1.345 sigma, sigma from the median of the
-/// residuals). The outermost points on each side have no weight if there are enough others, because
-/// an edge bends towards the inside next to a corner. It needs three points that are not all the
-/// same.
+/// residuals). The outermost points at each end have zero weight if there are enough others,
+/// because an edge bends inwards next to a corner. At least three points are required, which must
+/// not all be identical.
 RegressionLine regression_line(std::span<const Eigen::Vector2d> points);
 
-/// Variance of a point across the line from the residuals. n points count as n / correlation
+/// Variance of a point across the line, from the residuals. n points count as n / correlation
 /// independent ones.
 double variance_px2(const RegressionLine& line, double correlation);
 
-/// What the residuals of the segments of one image have in common.
+/// Noise statistics common to the segments of one image.
 struct EdgeNoise {
   double variance_px2 = 0.01;  ///< typical variance of a point across its line
-  double correlation = 2.8;    ///< n points weigh as n / correlation independent ones
+  double correlation = 2.8;    ///< n points count as n / correlation independent ones
 };
 
-/// The noise by the lines of at least 30 points. Without such lines, it is typical of aerial
-/// images.
+/// The noise estimated from the lines with at least 30 points. Without such lines, the default
+/// values, typical of aerial images, are returned.
 EdgeNoise edge_noise(std::span<const RegressionLine> lines);
 
-/// The errors that all lines of an image have in common and that residuals do not show.
+/// Errors that are common to all lines of an image and not visible in the residuals.
 struct SystematicError {
   double across_px = 0.0;  ///< sigma at the centroid
-  double ends_px = 0.0;    ///< sigma of an end across the line, against the centroid
+  double ends_px = 0.0;    ///< sigma of an end across the line, relative to the centroid
 };
 
-/// The segment between the outermost points with its uncertainty. The variance of a point is that
-/// of the line's own residuals, drawn to the typical one as if that came from ten more independent
-/// points.
+/// The segment between the outermost points, with its uncertainty. The variance of a point comes
+/// from the line's own residuals, shrunk towards the typical variance as if ten additional
+/// independent points had that variance.
 UncertainSegment2 uncertain_segment(const RegressionLine& line,
                                     const EdgeNoise& noise,
                                     const SystematicError& systematic);

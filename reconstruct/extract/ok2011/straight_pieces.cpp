@@ -9,7 +9,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Index of the point farthest from the chord of the first and the last, never one of the two.
+/// Index of the point farthest from the chord between the first and the last point; never one of
+/// these two.
 int farthest_from_chord(std::span<const Eigen::Vector2d> points) {
   Eigen::Vector2d chord = points.back() - points.front();
   if (chord.norm() == 0.0) chord = points[points.size() / 2] - points.front();
@@ -57,7 +58,7 @@ std::vector<Piece> straight_pieces(std::span<const Eigen::Vector2d> points,
     const Piece piece = open.back();
     open.pop_back();
     const auto run = points.subspan(piece.first, piece.last - piece.first);
-    // One pixel of an edge is at most sqrt(2) px of its length.
+    // Each edge pixel accounts for at most sqrt(2) px of the length.
     if (static_cast<double>(run.size()) * M_SQRT2 < options.min_length_px) continue;
     const PrincipalAxes axes = principal_axes(run);
     if (axes.lambda_min <= kMaxLambdaMin_px2 && axes.max_distance <= options.max_deviation_px) {

@@ -15,24 +15,25 @@ struct Piece {
   int first = 0, last = 0;
 };
 
-/// The centroid and principal axes of points.
+/// The centroid and principal axes of a set of points.
 struct PrincipalAxes {
   Eigen::Vector2d centroid;
-  /// Unit, axis of the larger variance, from the first to the last point.
+  /// Unit vector of the axis of larger variance, directed from the first to the last point.
   Eigen::Vector2d along;
   double lambda_min = 0.0;    ///< variance across the axis, dividing by n
-  double max_distance = 0.0;  ///< largest distance of a point from the axis
+  double max_distance = 0.0;  ///< maximum distance of a point from the axis
 };
-/// The principal axes of at least one point; identical points have the x axis.
+/// Requires at least one point; for identical points, the axis is the x axis.
 PrincipalAxes principal_axes(std::span<const Eigen::Vector2d> points);
 
-/// Straightness: largest variance across the line. Ours; Ok et al. 2011, section 2, give no number.
+/// Straightness: maximum variance across the line. Ours; Ok et al. 2011, section 2, give no value.
 inline constexpr double kMaxLambdaMin_px2 = 0.15;
 
 /// Cuts an ordered curve into straight pieces: a run is straight if the points' variance across
-/// their principal axis is at most kMaxLambdaMin_px2 and none is farther from it than
-/// `max_deviation_px`; else it is cut at the point farthest from the chord of its ends, and both
-/// halves are treated alike. Pieces whose chord is shorter than `min_length_px` are left out.
+/// their principal axis is at most kMaxLambdaMin_px2 and no point is farther from it than
+/// `max_deviation_px`; otherwise it is cut at the point farthest from the chord between its ends,
+/// and both parts are treated in the same way. Pieces whose chord is shorter than `min_length_px`
+/// are left out.
 std::vector<Piece> straight_pieces(std::span<const Eigen::Vector2d> points,
                                    const ExtractOptions& options);
 

@@ -10,15 +10,15 @@
 
 namespace ridgeline {
 
-/// What a model states that a face is. Interior surfaces, openings and the like are kOther.
+/// The kind of a face as stated by the model. Interior surfaces, openings and the like are kOther.
 enum class FaceKind : std::uint8_t { kUnknown, kRoof, kWall, kGround, kOther };
 
 /// A flat face of a building.
 struct Face {
-  std::vector<Ring> rings;  ///< the outer one, then holes
+  std::vector<Ring> rings;  ///< the outer ring, then the holes
   FaceKind kind = FaceKind::kUnknown;
   std::size_t building = 0;  ///< index of its building
-  std::string id;            ///< of the surface, if the file gives it one; may be empty
+  std::string id;            ///< id of the surface in the file; may be empty
 };
 
 }  // namespace ridgeline

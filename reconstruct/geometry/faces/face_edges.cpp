@@ -29,7 +29,7 @@ class KindsOfEdges {
     return found;
   }
 
-  /// Empty for a seam that is no edge.
+  /// Empty for a seam that is not an edge.
   [[nodiscard]] std::string kind_of(const FaceSeam& seam,
                                     const std::vector<std::size_t>& roofs) const {
     if (roofs.size() == 1) return kind_of_border_of(seam, roofs[0]);
@@ -46,7 +46,7 @@ class KindsOfEdges {
     return is_foot ? "step" : kind_of_border(upward(planes_[roof]), seam.segment);
   }
 
-  /// The edge of two roof faces; empty if they are nearly coplanar.
+  /// The kind of the edge between two roof faces; empty if they are nearly coplanar.
   [[nodiscard]] std::string kind_of_fold(const Segment3& edge, std::size_t a, std::size_t b) const {
     const Eigen::Vector3d normal_a = upward(planes_[a]).normal();
     const Eigen::Vector3d normal_b = upward(planes_[b]).normal();

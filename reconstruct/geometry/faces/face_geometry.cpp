@@ -9,7 +9,8 @@
 namespace ridgeline {
 namespace {
 
-/// The crossings of a ray in the plane of two axes, to the side of larger u.
+/// Counts the crossings of the ring, in the plane of axes u and v, with a ray from x towards larger
+/// u.
 bool is_in_ring(const Ring& ring, const Eigen::Vector3d& x, int u, int v) {
   bool inside = false;
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
@@ -23,7 +24,7 @@ bool is_in_ring(const Ring& ring, const Eigen::Vector3d& x, int u, int v) {
 }  // namespace
 
 std::optional<Plane3> plane_of(const Face& face) {
-  constexpr double kMinArea_m2 = 1e-6;  // a mm by a mm
+  constexpr double kMinArea_m2 = 1e-6;  // 1 mm x 1 mm
   const Ring& ring = face.rings.front();
   const Eigen::Vector3d area = area_vector(ring);
   const double size = area.norm();

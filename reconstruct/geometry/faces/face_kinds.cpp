@@ -12,8 +12,8 @@
 namespace ridgeline {
 namespace {
 
-/// A point inside of a face that is not vertical: the middle of the widest stretch of a level cut
-/// through the middle of its ring.
+/// A point inside a face that is not vertical: the middle of the widest interval of a cut in x
+/// direction near the middle of its ring.
 std::optional<Eigen::Vector3d> inner_point(const Face& face, const Plane3& plane) {
   const auto [low, high] =
       std::ranges::minmax(face.rings.front(), {}, [](const Eigen::Vector3d& x) { return x.y(); });

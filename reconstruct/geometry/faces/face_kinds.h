@@ -7,8 +7,8 @@
 
 namespace ridgeline {
 
-/// Gives the faces of a building that are unknown a kind by geometry, see settle(). All must have a
-/// plane.
+/// Gives each face of a building that has no known kind a kind from its geometry; see settle(). All
+/// faces must have a plane.
 void state_kinds(std::span<Face> faces);
 
 }  // namespace ridgeline

@@ -15,9 +15,9 @@
 namespace ridgeline {
 namespace {
 
-constexpr double kSame = 0.01;  // vertices this near each other are one, in units of the file
+constexpr double kSame = 0.01;  // vertices this close are treated as one; in units of the file
 
-/// Vertices that are one get one number, and keep the place of the first.
+/// Vertices treated as one share a number and the position of the first.
 class Nodes {
  public:
   std::size_t number_of(const Eigen::Vector3d& x) {
@@ -57,7 +57,7 @@ class Nodes {
   std::vector<Eigen::Vector3d> places_;
 };
 
-/// Whether a number of centimetres is an integer of 64 bits.
+/// Whether the coordinates in centimetres fit into 64-bit integers.
 bool is_usable(const Eigen::Vector3d& x) {
   constexpr double kMaxCoordinate = 1e15;
   return x.allFinite() && x.cwiseAbs().maxCoeff() < kMaxCoordinate;
@@ -141,14 +141,14 @@ class Seams {
     if (is_new) pieces_.push_back({from, to, {}});
     std::vector<std::size_t>& faces = pieces_[entry->second].faces;
     const auto place = std::ranges::lower_bound(faces, face);
-    // A face that comes to an edge a second time lies on both sides of it.
+    // A face that contains an edge a second time lies on both sides of it.
     if (place != faces.end() && *place == face)
       faces.erase(place);
     else
       faces.insert(place, face);
   }
 
-  /// Adds pieces behind the last node of the chain while they run straight on between the same
+  /// Appends pieces to the end of the chain as long as they continue straight between the same
   /// faces.
   void prolong(std::size_t first, std::vector<std::size_t>& chain) {
     for (bool is_longer = true; is_longer;) {
@@ -165,7 +165,7 @@ class Seams {
     }
   }
 
-  /// Whether the chain stays a straight line, without a turn, if it goes on to a node.
+  /// Whether the chain remains a straight line, without turning back, if it is extended to a node.
   [[nodiscard]] bool is_straight(const std::vector<std::size_t>& chain, std::size_t end) const {
     const Segment3 whole{nodes_[chain.front()], nodes_[end]};
     double last = 0.0;

@@ -16,10 +16,11 @@ struct FaceSeam {
   std::vector<std::size_t> faces;  ///< numbers of the faces, ascending
 };
 
-/// All edges of faces, each once, as long as its faces stay the same. Vertices within 1 cm are one.
-/// Faces meet where their edges run along each other, also if a vertex of one lies within an edge
-/// of another. An edge that one face has twice, as the bridge to a hole in a ring, is none of that
-/// face. Edges that are not finite are left out. In the order in which the faces have them.
+/// All edges of the faces, each once; a seam extends as far as its faces stay the same. Vertices
+/// within 1 cm of each other are treated as one. Faces meet where their edges coincide, even if a
+/// vertex of one lies within an edge of another. An edge that a face has twice, such as the bridge
+/// to a hole in a ring, is not an edge of that face. Edges that are not finite are left out. The
+/// seams are in the order in which the faces have them.
 std::vector<FaceSeam> seams_of(std::span<const Face> faces);
 
 }  // namespace ridgeline

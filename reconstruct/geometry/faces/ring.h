@@ -9,12 +9,13 @@
 
 namespace ridgeline {
 
-/// The corners of a polygon in space; the last one is not the first one again.
+/// The corners of a polygon in space; the first corner is not repeated at the end.
 using Ring = std::vector<Eigen::Vector3d>;
 
-/// The normal of a ring by Newell's method, as long as its area; it needs no choice of three
-/// vertices. Seen from its tip, the ring runs counter-clockwise. Zero of fewer than three vertices.
-/// Relative to the first vertex, as world coordinates would cost digits.
+/// The normal of a ring by Newell's method, which does not depend on a choice of three vertices;
+/// its length is the area of the ring. Seen from its tip, the ring runs counter-clockwise. Zero for
+/// fewer than three vertices. Computed relative to the first vertex, because world coordinates
+/// would cost digits.
 inline Eigen::Vector3d area_vector(const Ring& ring) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 1; i + 1 < ring.size(); ++i)
@@ -22,7 +23,7 @@ inline Eigen::Vector3d area_vector(const Ring& ring) {
   return 0.5 * sum;
 }
 
-/// The mean of the vertices, of which there is one at least.
+/// The mean of the vertices; there must be at least one.
 inline Eigen::Vector3d mean_of(const Ring& ring) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& x : ring) sum += x - ring[0];

@@ -12,7 +12,7 @@
 
 namespace ridgeline {
 
-/// Edges and faces of roofs that rise by less are level.
+/// Edges and faces of roofs with a smaller slope are level.
 inline constexpr double kLevelRoof_rad = 5.0 * kRadPerDeg;
 
 inline bool is_level(const Segment3& edge) {
@@ -20,8 +20,8 @@ inline bool is_level(const Segment3& edge) {
   return std::atan2(std::abs(d.z()), d.head<2>().norm()) < kLevelRoof_rad;
 }
 
-/// What the border of a roof face is: `step` of a level face, else `eave` across its slope (more
-/// than 45 degrees from it in plan) or `verge` along it.
+/// The kind of the border of a roof face: `step` for a level face, otherwise `eave` across its
+/// slope (more than 45 degrees from the slope in plan) or `verge` along it.
 inline const char* kind_of_border(const Plane3& roof, const Segment3& edge) {
   if (slope_rad(roof) < kLevelRoof_rad) return "step";
   const Eigen::Vector2d down = roof.normal().head<2>().normalized();

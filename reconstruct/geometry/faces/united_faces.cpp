@@ -21,8 +21,8 @@ using Corner = std::array<double, 3>;
 
 Corner corner_of(const Eigen::Vector3d& x) { return {x.x(), x.y(), x.z()}; }
 
-/// The closed rings that segments make, which share their ends exactly; nothing if some corner has
-/// not two of them.
+/// The closed rings formed by segments that share their ends exactly; std::nullopt unless every
+/// corner has exactly two segments.
 std::optional<std::vector<Ring>> rings_of(const std::vector<Segment3>& border) {
   std::map<Corner, std::vector<std::size_t>> at_corner;
   for (std::size_t i = 0; i < border.size(); ++i) {
@@ -48,7 +48,7 @@ std::optional<std::vector<Ring>> rings_of(const std::vector<Segment3>& border) {
   return rings;
 }
 
-/// One face of the pieces, nothing if their outline touches itself.
+/// Unites the pieces into one face; std::nullopt if their outline touches itself.
 std::optional<Face> united(const std::vector<Face>& pieces) {
   std::vector<Segment3> border;
   for (const FaceSeam& seam : seams_of(pieces))
@@ -67,10 +67,11 @@ std::optional<Face> united(const std::vector<Face>& pieces) {
   return face;
 }
 
-/// For each face the number of the first one of its plane that it hangs together with. The first
-/// ones are compared, so that the strips of a vault do not become one face, strip by strip.
+/// For each face, the number of the first face of its connected coplanar region. The first faces of
+/// regions are compared, so that the strips of a vault are not merged into one face, strip by
+/// strip.
 std::vector<std::size_t> regions_of(const std::vector<Face>& faces) {
-  constexpr double kFlat_rad = 0.5 * kRadPerDeg;  // whole mm turn a face of 0.2 m by that
+  constexpr double kFlat_rad = 0.5 * kRadPerDeg;  // rounding to mm tilts a face of 0.2 m by this
   const auto normals = transformed(
       faces, [](const Face& face) { return Eigen::Vector3d(upward(*plane_of(face)).normal()); });
   DisjointSets regions(faces.size());

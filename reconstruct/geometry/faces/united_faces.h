@@ -7,9 +7,10 @@
 
 namespace ridgeline {
 
-/// The faces of a building, of which those of one kind in one plane (up to half a degree) that meet
-/// along an edge are one, at the place of the first, with its id and its sense of turn. Pieces
-/// whose outline touches itself at a corner stay as they are. All must have a plane.
+/// Unites the faces of a building that have the same kind and plane (to within half a degree) and
+/// meet along an edge. The united face takes the position in the list, the id and the direction of
+/// rotation of the first one. Pieces whose common outline touches itself at a corner stay as they
+/// are. All faces must have a plane.
 std::vector<Face> united_faces(std::vector<Face> faces);
 
 }  // namespace ridgeline

@@ -7,7 +7,8 @@
 namespace ridgeline {
 
 /// A vector with the covariance of its components. The covariance of a homogeneous vector is
-/// singular (its scale is no random quantity) and is never inverted as such: see tangent_basis().
+/// singular (its scale is not a random quantity) and is never inverted directly; see
+/// tangent_basis().
 template <int N>
 struct Uncertain {
   Eigen::Matrix<double, N, 1> mean;
@@ -25,40 +26,40 @@ inline Eigen::Matrix3d skew(const Eigen::Vector3d& a) {
   return (Eigen::Matrix3d() << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0).finished();
 }
 
-/// Covariance J cov J' of a function of a quantity with covariance cov; J is the function's
-/// Jacobian. The templates of this file are compiled in homogeneous.cpp, for the sizes listed
-/// there, because Eigen takes seconds for each.
+/// Covariance J cov J' of a function with Jacobian J, applied to a quantity with covariance cov.
+/// The templates of this file are instantiated in homogeneous.cpp for the sizes listed there,
+/// because compiling Eigen takes seconds for each size.
 template <int M, int N>
 Eigen::Matrix<double, M, M> propagated(const Eigen::Matrix<double, M, N>& jacobian,
                                        const Eigen::Matrix<double, N, N>& cov);
 
 /// Q of the QR decomposition of a matrix, by Householder reflections. Its last columns are an
-/// orthonormal basis of what is orthogonal to all columns of the matrix. The compiler takes seconds
-/// for each size of Eigen's own, which gives the same bits.
+/// orthonormal basis of the orthogonal complement of the columns of the matrix. Eigen's own
+/// decomposition gives the same bits but takes seconds to compile for each size.
 template <int Rows, int Cols>
 Eigen::Matrix<double, Rows, Rows> orthogonal_factor(Eigen::Matrix<double, Rows, Cols> a);
 
-/// Orthonormal basis of the complement of x: the coordinates in which a homogeneous vector has a
-/// regular covariance, B' cov B. N x (N-1).
+/// Orthonormal basis B of the orthogonal complement of x, N x (N-1). In its coordinates the
+/// covariance of a homogeneous vector, B' cov B, is regular.
 template <int N>
 Eigen::Matrix<double, N, N - 1> tangent_basis(const Eigen::Matrix<double, N, 1>& x);
 
-/// x / |x| with the covariance J cov J', J = (I - x_s x_s') / |x|: the covariance loses the part
-/// along x, which says nothing of the entity.
+/// x / |x| with the covariance J cov J', J = (I - x_s x_s') / |x|: the covariance loses its part
+/// along x, which has no geometric meaning.
 template <int N>
 Uncertain<N> spherically_normalised(const Uncertain<N>& x);
 
-/// a x b of uncorrelated a and b: the join of two image points (Ok et al. 2011, Eq. 1) or the
-/// intersection of two image lines (Eq. 2). The result is not normalised; it is zero if both are
-/// the same entity.
+/// a x b for uncorrelated a and b: the join of two image points (Ok et al. 2011, Eq. 1) or the
+/// intersection of two image lines (Eq. 2). The result is not normalised; it is zero if a and b are
+/// the same point or line.
 Uncertain<3> cross(const Uncertain<3>& a, const Uncertain<3>& b);
 
-/// The unit vector that the rows map nearest to zero: the right singular vector of the smallest
+/// The unit vector x for which |rows x| is smallest: the right singular vector of the smallest
 /// singular value.
 template <int N>
 Eigen::Matrix<double, N, 1> null_vector(const Eigen::Matrix<double, Eigen::Dynamic, N>& rows);
 
-/// d(X_0 / X_h) / dX at a point that is not at infinity.
+/// d(X_0 / X_h) / dX at a finite point.
 inline Eigen::Matrix<double, 3, 4> euclidean_jacobian(const Eigen::Vector4d& x) {
   Eigen::Matrix<double, 3, 4> jacobian;
   jacobian << Eigen::Matrix3d::Identity(), -x.hnormalized();

@@ -94,7 +94,7 @@ UncertainPlane3 projection_plane(const ProjectionMatrix& image_from_object,
 }
 
 std::optional<UncertainLine3> intersection(const UncertainPlane3& a, const UncertainPlane3& b) {
-  constexpr double kMinSine = 1e-9;  // a smaller one makes the direction rounding error
+  constexpr double kMinSine = 1e-9;  // below this, the direction is only rounding error
   const Eigen::Vector3d normal_a = a.mean.head<3>();
   const Eigen::Vector3d normal_b = b.mean.head<3>();
   // The condition is negated so that a plane without a normal (at infinity, or NaN) has no

@@ -41,8 +41,8 @@ UncertainLine2 centroid_line(const LineFrame& s) {
   return {line, jacobian * variances.asDiagonal() * jacobian.transpose()};
 }
 
-/// An endpoint. Its variance along the line is sigma_e^2; across the line it is that of the line at
-/// this place.
+/// An endpoint. Its variance along the line is sigma_e^2; across the line, it is the variance of
+/// the line at this point.
 UncertainPoint2 endpoint(const LineFrame& s, const Eigen::Vector2d& x) {
   const double distance = s.along.dot(x - s.centroid);
   const double across = s.sigma_q * s.sigma_q + std::pow(distance * s.sigma_phi_rad, 2);
@@ -57,7 +57,7 @@ UncertainPoint2 endpoint(const LineFrame& s, const Eigen::Vector2d& x) {
 }  // namespace
 
 UncertainSegment2 line_of_ends(const Segment2& ends, double sigma_px) {
-  constexpr double kSigmaAlong_px = 1.0;  // as that of extracted segments
+  constexpr double kSigmaAlong_px = 1.0;  // the same as for extracted segments
   // With errors a and b of the ends, q = (a + b) / 2 and phi = (b - a) / length are uncorrelated.
   return {.segment = ends,
           .centroid_px = midpoint(ends),

@@ -8,10 +8,9 @@
 
 namespace ridgeline::reconstruct {
 
-/// The extensions of the matching that the options switch on: matched_radiometry, hidden_walls,
-/// close_edges (the order of close lines) and the depth of the surfaces beside a line
-/// (weigh_by_surface()).
-/// @param candidates  options of the first search, which gives the radiometry
+/// The extensions of the matching that the options switch on: matched_radiometry, hidden_walls and
+/// the depth of the surfaces beside a line (weigh_by_surface()).
+/// @param candidates  options of the first search, which yields the radiometry
 /// @param surface     the surface of the pair, or null; must live as long as the result
 MatchExtensions match_extensions(const MatchExtensionOptions& options,
                                  const CandidateOptions& candidates,

@@ -45,7 +45,7 @@ void add_colours(const EdgeSegment& left,
                  const EdgeSegment& right,
                  const Candidate& candidate,
                  std::vector<ColourPair>& pairs) {
-  constexpr double kSameTexture = 0.7;  // correlation that chance hardly reaches
+  constexpr double kSameTexture = 0.7;  // correlation that is hardly reached by chance
   const std::array<const Flank*, 2> own{&left.left, &left.right};
   const std::array<const Flank*, 2> counterpart =
       counterpart_flanks(right, candidate.overlap.reversed());
@@ -63,11 +63,11 @@ double median_misclosure(std::span<const ColourPair> pairs, int band, double gai
   }));
 }
 
-/// Fits gain and offset by least squares, reweighted for Cauchy's distribution of the misclosures.
+/// Fits gain and offset by least squares, reweighted for Cauchy-distributed misclosures.
 void refine_band(std::span<const ColourPair> pairs, int band, Radiometry& radiometry) {
   constexpr int kPasses = 10;
   constexpr double kMinScale = 0.002;  // in units of the range of grey values
-  constexpr double kMinSpread = 0.05;  // least spread of the colours that fixes a gain
+  constexpr double kMinSpread = 0.05;  // minimum spread of the colours that determines a gain
   double gain = radiometry.gain[band];
   double offset = radiometry.offset[band];
   for (int pass = 0; pass < kPasses; ++pass) {

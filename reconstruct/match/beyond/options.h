@@ -11,10 +11,10 @@ namespace ridgeline::reconstruct {
 struct MatchExtensionOptions {
   bool matched_radiometry = true;
   bool hidden_walls = true;
-  /// The depth of the surfaces beside a line speaks for or against its candidates. See
+  /// The depth of the surfaces beside a line counts for or against its candidates. See
   /// weigh_by_surface().
   bool surface = true;
-  /// Counterparts of unmatched segments are looked for where the surfaces beside the segments
+  /// Counterparts of unmatched segments are searched for where the surfaces beside the segments
   /// predict them. See guided_matches().
   bool guided = true;
 

@@ -13,17 +13,17 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kContradicted = 0.1;  // ratio of right candidates to others
+constexpr double kContradicted = 0.1;  // ratio of correct candidates to others
 constexpr double kAgreed = 2.7;
 
-/// Standard deviation of the disparity of a line in the rectified views, by its edges alone.
+/// Standard deviation of the disparity of a line in the rectified views, from its edges only.
 double edge_sigma_px(const Segment2& rectified) {
   constexpr double kAcross_px = 0.5;
-  constexpr double kMinSine = 0.1;  // the ends of a line along the rows tell its disparity
+  constexpr double kMinSine = 0.1;  // the ends of a line along the rows give its disparity
   return kAcross_px / std::max(std::abs(along(rectified).y()), kMinSine);
 }
 
-/// Square of the misfit to the side that a line agrees with better, in standard deviations. Nothing
+/// Square of the misfit to the side with which a line agrees better, in standard deviations. Empty
 /// if a side that is not trusted may explain the line.
 std::optional<double> squared_misfit(const SidesOfPiece& piece, double d_px, double edge_sigma_px) {
   constexpr double kMaxOffset = 3.0;
@@ -41,13 +41,13 @@ std::optional<double> squared_misfit(const SidesOfPiece& piece, double d_px, dou
   return best;
 }
 
-/// Logarithm of the odds of a candidate.
+/// Log odds of a candidate.
 /// @param rectified  the left segment, rectified
 double log_odds(const Rectification& rectification,
                 const Segment2& rectified,
                 const std::vector<SidesOfPiece>& pieces,
                 const EpipolarOverlap& overlap) {
-  // Beside the overlap, in parameters, because its ends are uncertain.
+  // Tolerance at the ends of the overlap, in parameters, because they are uncertain.
   constexpr double kBeside = 0.1;
   double squares = 0.0;
   int n = 0;

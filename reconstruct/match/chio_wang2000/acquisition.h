@@ -16,7 +16,7 @@ namespace ridgeline::reconstruct {
 struct Acquired {
   int candidate = 0;  ///< index of the initial link in the list of the left segment
   int process = 0;    ///< 1 to 4
-  /// The matched left segment whose height the line had to have. -1 in the first process.
+  /// The matched left segment whose height constrained the line; -1 in the first process.
   int neighbour = -1;
   double height_m = 0.0;  ///< height of the neighbour
   double limit_m = 0.0;   ///< largest difference from the height of the neighbour
@@ -42,14 +42,14 @@ class Acquisition {
   [[nodiscard]] const std::vector<ChioOutcome>& outcomes() const { return outcomes_; }
 
   /// Index of the candidate that Core chooses for an unmatched segment: the most preferred one of
-  /// those allowed that may begin. If there is none, or if another left edge has taken it, the
-  /// result is empty and the outcome says why. If the appearance decides, the result is also empty
-  /// if the similarity of the candidate is
+  /// those that are allowed and may begin. If there is none, or if another left edge has taken it,
+  /// the result is empty and the outcome gives the reason. If the appearance decides, the result is
+  /// also empty if the similarity of the candidate is
   ///   - below min_similarity,
-  ///   - not clearly above that of another candidate, which has more than max_similarity_ratio of
-  ///     it, or
-  ///   - below max_similarity_ratio of the similarity between the candidate and another unmatched
-  ///     left segment.
+  ///   - not clearly above that of another candidate, which exceeds max_similarity_ratio times it,
+  ///     or
+  ///   - below max_similarity_ratio times the similarity between the candidate and another
+  ///     unmatched left segment.
   std::optional<int> choose(int left, const Allowed& allowed);
   void acquire(int left, const Acquired& acquired);
 

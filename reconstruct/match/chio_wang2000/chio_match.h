@@ -25,18 +25,18 @@ struct ChioLine {
 };
 
 struct ChioResult {
-  std::vector<ChioLine> lines;        ///< ascending by left segment, one for each at most
+  std::vector<ChioLine> lines;        ///< ascending by left segment, at most one for each
   std::vector<ChioOutcome> outcomes;  ///< per left segment
 };
 
 /// Iterative matching and linking of line segments in object space (Chio and Wang 2000): Core finds
 /// the candidates that pass its screening, the four processes choose among them from the strongest
 /// structure outwards, further fragments of the right edge are linked and one 3D line is fitted to
-/// all reliable points. Segments along the epipolar lines are left alone.
+/// all reliable points. Segments along the epipolar lines are not matched.
 ///
 /// @param candidate_options  options of the search for candidates
-/// The result is the same for any number of threads. Throws std::invalid_argument as
-/// match_pairwise() does.
+/// The result is the same for any number of threads. Throws std::invalid_argument under the same
+/// conditions as match_pairwise().
 ChioResult chio_match(const StereoPair& pair,
                       const ChioOptions& options = {},
                       const CandidateOptions& candidate_options = {},

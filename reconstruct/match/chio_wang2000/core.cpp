@@ -20,8 +20,8 @@ constexpr double kMaxFlankDifference = 20.0 / 255.0;  // share of the range of g
 constexpr int kMinLinkPieces = 5;
 constexpr double kMaxLinkRateDifference = 0.2;
 
-constexpr double kSigmas = 3.0;  // multiple of the sigma of rates that is allowed for as noise
-constexpr int kMaxCandidatesOfAnyAppearance = 100;  // where the appearance does not decide
+constexpr double kSigmas = 3.0;  // multiple of the sigma of rates that is allowed as noise
+constexpr int kMaxCandidatesOfAnyAppearance = 100;  // if the appearance does not decide
 
 /// One left segment on its way through the screening.
 struct Screened {
@@ -37,7 +37,7 @@ struct CoreContext {
   const ChioExtensions& beyond;
 };
 
-/// What noise may add to the mean rate of a chain, and to the standard deviation of its rates.
+/// Allowance for noise in the mean rate of a chain and in the standard deviation of its rates.
 struct RateNoise {
   double mean = 0.0, sigma = 0.0;
 };
@@ -49,8 +49,8 @@ RateNoise rate_noise(const ChainSummary& chain, double gsd_m, const ChioExtensio
           kSigmas * expected_rate_sigma(chain, gsd_m, edge_sigma_px)};
 }
 
-/// The largest difference of azimuths. A slope turns a line between the views. The paper's limit
-/// makes no allowance for that; NoiseAllowance does.
+/// The largest difference of azimuths. A slope turns a line between the views; the paper's limit
+/// does not allow for that, but NoiseAllowance does.
 double azimuth_limit_rad(const LocalTransfer& transfer, const CoreContext& context) {
   const double turn_rad =
       context.beyond.noise ? std::atan(kMaxRate * transfer.base_to_height()) : 0.0;
@@ -63,8 +63,8 @@ double mean_of(const Colour& colour, int n_bands) {
   return sum / n_bands;
 }
 
-/// Grey difference of the flank that agrees better: an eave hides what is beside it in one of the
-/// views.
+/// Grey-value difference of the flank that agrees better, because an eave hides what is beside it
+/// in one of the views.
 double flank_difference(const CoreContext& context, const EdgePair& edges) {
   const int n_bands = context.pair.left.image.channels();
   const auto grey = [&](const Flank& flank) {

@@ -13,8 +13,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// What became of a left segment. If its candidates fail for several reasons, the last one in this
-/// order counts.
+/// The outcome of the matching for a left segment. If its candidates fail for several reasons, the
+/// last one in this order is given.
 enum class ChioOutcome : std::uint8_t {
   kMatched,
   kNoCandidate,         ///< no right segment in its epipolar band
@@ -22,11 +22,11 @@ enum class ChioOutcome : std::uint8_t {
   kFewPieces,           ///< too few reliable edge pieces
   kAzimuth,             ///< directions differ
   kFlank,               ///< grey values beside the edge differ
-  kSteep,               ///< the height changes at more than the largest rate
-  kUneven,              ///< the rates of its pieces scatter
+  kSteep,               ///< the height changes faster than the largest rate
+  kUneven,              ///< the rates of its pieces scatter too much
   kOutOfReach,          ///< no matched line is near
   kHeight,              ///< no candidate is near the height of a matched line
-  kLowScore,            ///< it does not look like its best candidate
+  kLowScore,            ///< it does not resemble its best candidate
   kAmbiguous,           ///< a rival is about as good; see Acquisition::choose()
   kLostToOther,         ///< its candidate belongs to another left segment
 };
@@ -51,17 +51,17 @@ struct CoreCandidates {
 /// The candidates of every left segment, screened by Core (Chio and Wang 2000; the thresholds of
 /// section 4). The screening tests the difference of azimuths, the difference of the grey values
 /// beside the edge, the number of reliable pieces, the mean rate of height change and the standard
-/// deviation of the rates. The epipolar band is searched as match_candidates() does. Candidates
-/// with the most reliable pieces are preferred, then those with the steadiest rate. If the
-/// appearance decides (ChioExtensions), the candidates that look most alike are preferred.
+/// deviation of the rates. The epipolar band is searched by match_candidates(). Candidates with the
+/// most reliable pieces are preferred, then those with the steadiest rate. If the appearance
+/// decides (ChioExtensions), the most similar candidates are preferred.
 std::vector<CoreCandidates> core_candidates(const SearchedPair& pair,
                                             const ChioOptions& options,
                                             const CandidateOptions& candidate_options,
                                             const ChioExtensions& beyond = {});
 
-/// The further fragments of a right edge, as ascending indices of the list. `begin` is the index of
-/// the initial link. A further fragment has enough reliable pieces and the rate and azimuth of the
-/// initial link in object space, and both lie on one line in the image.
+/// The further fragments of a right edge, as ascending indices into the list. `begin` is the index
+/// of the initial link. A further fragment has enough reliable pieces and the rate and azimuth of
+/// the initial link in object space, and lies on one line with it in the image.
 std::vector<int> linked_fragments(const CoreCandidates& candidates,
                                   int begin,
                                   const View& right,

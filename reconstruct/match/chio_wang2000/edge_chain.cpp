@@ -10,11 +10,11 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kBeyondEnd_px = 1.0;
-/// Least dP(i) of a reliable piece, in ground pixels: 0.12 m in Chio and Wang 2000, section 4,
+/// Minimum dP(i) of a reliable piece, in ground pixels: 0.12 m in Chio and Wang 2000, section 4,
 /// whose ground pixel is 0.24 m.
 constexpr double kMinPiece_gsd = 0.5;
 
-/// The line of a segment: n . y = c, |n| = 1, and where it begins.
+/// The line of a segment: n . y = c, |n| = 1, and its start.
 struct RightLine {
   Eigen::Vector2d start, along, normal;
   double c = 0.0, length_px = 0.0;
@@ -83,7 +83,7 @@ void summarise_pieces(EdgeChain& chain) {
   if (summary.n_reliable > 1) summary.rate_sigma = std::sqrt(squares / (summary.n_reliable - 1));
 }
 
-/// Variance of a segment's line across itself, at a point.
+/// Variance of a segment's line perpendicular to itself, at a point.
 double variance_across_px2(const UncertainSegment2& s, const Eigen::Vector2d& x) {
   const double t = along(s.segment).dot(x - s.centroid_px);
   return s.sigma_q_px * s.sigma_q_px + t * t * s.sigma_phi_rad * s.sigma_phi_rad;
@@ -107,8 +107,8 @@ void summarise_heights(const EpipolarTransfer& right_from_left,
   const double moved_m =
       right_from_left.stretch(x + normal(left.segment)).height_on(line.normal, line.c);
   chain.summary.height_per_px_m = std::abs(moved_m - z_m);
-  // If the right line moves by 1 px along its normal, the height of its crossing with the epipolar
-  // line changes by this.
+  // Change of the height of the right line's crossing with the epipolar line if the right line
+  // moves by 1 px along its normal.
   const double right_per_px_m = 1.0 / std::abs(line.normal.dot(point->stretch.derivative(z_m)));
   const Eigen::Vector2d y = point->stretch.at(z_m);
   chain.summary.height_sigma_m = std::sqrt(

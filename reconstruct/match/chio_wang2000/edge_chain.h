@@ -27,7 +27,7 @@ struct EdgePiece {
   bool reliable = false;
 };
 
-/// The figures of a chain that the screening tests and the matching uses.
+/// The properties of a chain that are tested in the screening and used in the matching.
 struct ChainSummary {
   int n_reliable = 0;  ///< number of reliable pieces
   /// Mean rate of the reliable pieces, m/m, in the direction of the left segment.
@@ -42,7 +42,7 @@ struct ChainSummary {
   double height_per_px_m = 0.0;
 };
 
-/// The 3D edge pieces of a left segment that a right segment implies.
+/// The 3D edge pieces that a right segment implies for a left segment.
 struct EdgeChain {
   std::vector<ChainPoint> points;
   std::vector<EdgePiece> pieces;
@@ -61,21 +61,20 @@ std::vector<SearchedPoint> searched_points(const EpipolarTransfer& right_from_le
                                            const EdgeSegment& left);
 
 /// The chain of a candidate (Chio and Wang 2000, section 3). The epipolar line of each left point
-/// cuts the right segment, and forward intersection gives P(i). Points that would lie beyond the
-/// ends of the right segment by more than a pixel are left out. A piece is reliable if its
-/// horizontal length is at least half a ground pixel and its rate is finite. For a segment
-/// along the epipolar line the points are not finite and all are left out.
+/// intersects the right segment, and forward intersection gives P(i). Points more than a pixel
+/// beyond the ends of the right segment are left out. A piece is reliable if its horizontal length
+/// is at least half a ground pixel and its rate is finite. For a segment along the epipolar line
+/// the points are not finite and all are left out.
 EdgeChain edge_chain(const EpipolarTransfer& right_from_left,
                      std::span<const SearchedPoint> left_points,
                      const UncertainSegment2& left,
                      const UncertainSegment2& right,
                      double gsd_m);
 
-/// The standard deviation of the rate of a single piece that the noise of the edge pixels alone
-/// would cause.
+/// Standard deviation of the rate of a single piece caused by the noise of the edge pixels alone.
 double expected_rate_sigma(const ChainSummary& chain, double gsd_m, double edge_sigma_px);
-/// The standard deviation of the mean rate of a chain that the noise of the edge pixels alone would
-/// cause. The noise of pieces in a row cancels except at the two ends of the row.
+/// Standard deviation of the mean rate of a chain caused by the noise of the edge pixels alone. The
+/// noise of consecutive pieces cancels except at the two ends of the sequence.
 double expected_mean_rate_sigma(const ChainSummary& chain, double gsd_m, double edge_sigma_px);
 
 }  // namespace ridgeline::reconstruct

@@ -12,7 +12,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kStep_px = 0.5;    // step of the profile across the edge
-constexpr int kHalfDifference = 2;  // the gradient is that of samples 2 px apart
+constexpr int kHalfDifference = 2;  // the gradient is taken between samples 2 px apart
 constexpr int kSearchReach = 3;     // maxima up to 1.5 px from the segment count
 constexpr int kHalfBase = 2;        // the parabola through a maximum spans 2 px
 constexpr int kHalfGradients = kSearchReach + kHalfBase;
@@ -69,7 +69,7 @@ std::vector<EdgePoint> edge_points(const ImageSampler& image, const EdgeSegment&
     const double t = (step + 0.5) / n_steps;
     const auto offset_px = edge_offset_px(image, point_at(edge.in_image, t), in_image);
     if (!offset_px) continue;
-    // the distortion of the lens is the same over a pixel
+    // the lens distortion is constant over a pixel
     points.push_back({step, point_at(edge.line.segment, t) + *offset_px * ideal});
   }
   return points;

@@ -16,9 +16,9 @@ struct EdgePoint {
   Eigen::Vector2d x_px;  ///< ideal pixel
 };
 
-/// The points of an edge, one for each pixel of its length from start to end. Each point is where
+/// The points of an edge, one for each pixel of its length from start to end. Each point lies where
 /// the gradient across the segment is strongest within 1.5 px of it, to a fraction of a pixel. A
-/// segment keeps its regression line only, so the points are found anew. Steps without a maximum
+/// segment only keeps its regression line, so the points are found again. Steps without a maximum
 /// and steps at the border of the image are left out.
 std::vector<EdgePoint> edge_points(const ImageSampler& image, const EdgeSegment& edge);
 

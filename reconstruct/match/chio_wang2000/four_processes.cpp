@@ -12,8 +12,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Largest distance of a junction from its counterpart's epipolar line; ours, as the paper gives
-/// none.
+/// Largest distance of a junction from its counterpart's epipolar line; ours, because the paper
+/// gives none.
 constexpr double kMaxJunctionEpipolar_px = 2.0;
 
 enum class HeightLimit : std::uint8_t { kClose, kRelaxed };
@@ -66,8 +66,8 @@ class Iteration {
     return limit == HeightLimit::kClose ? options_.height_difference_m : kRelaxedHeightDifference_m;
   }
 
-  /// Tries to match a segment under the height of one neighbour. If a right structure is given, the
-  /// counterpart must be a member of it.
+  /// Tries to match a segment under the height constraint of one neighbour. If a right structure is
+  /// given, the counterpart must be a member of it.
   bool acquire_beside(int process,
                       int left,
                       const Neighbour& neighbour,
@@ -89,13 +89,13 @@ class Iteration {
     return std::binary_search(structure.members.begin(), structure.members.end(), segment);
   }
 
-  /// How much a member speaks for a corresponding junction.
+  /// How strongly a member supports a corresponding junction.
   [[nodiscard]] double strength(const CoreCandidate& candidate) const {
     return by_appearance_ ? candidate.similarity : candidate.chain.n_reliable;
   }
 
   /// The best candidate of a left segment among the members of a right structure. For a matched
-  /// segment only its counterpart counts. Null if there is none.
+  /// segment, only its counterpart is considered. Null if there is none.
   [[nodiscard]] const CoreCandidate* best_in(int left, const Structure& right) const {
     if (acquisition_.is_matched(left)) {
       const CoreCandidate& counterpart = acquisition_.counterpart(left);
@@ -124,7 +124,7 @@ class Iteration {
   }
 
   /// The right junctions on the epipolar line of a left junction that have counterparts of at least
-  /// two of its members, best first.
+  /// two members of its structure, best first.
   [[nodiscard]] std::vector<SharedJunction> shared_junctions(const Structure& structure) const {
     std::set<int> right;
     for (const int member : structure.members) {

@@ -14,7 +14,7 @@
 
 namespace ridgeline::reconstruct {
 
-/// Limit of the height difference in the third and fourth process, once nothing more is found (Chio
+/// Limit of the height difference in the third and fourth process once they find nothing more (Chio
 /// and Wang 2000, section 4).
 inline constexpr double kRelaxedHeightDifference_m = 5.0;
 
@@ -25,16 +25,15 @@ struct ProcessedSegments {
 
 /// The four processes of Chio and Wang 2000, section 3. Processes 1 and 2 go from the strongest
 /// structure to the weakest:
-///   1  A junction of the right image corresponds to the junction of the structure if it is on its
-///     epipolar
-///      line and has segments for at least two members. Core then matches the strongest member.
-///   2  The height of this member constrains Core on the other members.
+///   1  A junction of the right image corresponds to the junction of the structure if it lies on
+///      the epipolar line of the latter and has counterparts of at least two members. Core then
+///      matches the strongest member.
+///   2  The height of this member constrains Core for the other members.
 /// Processes 3 and 4 follow, with the height limit of 0.5 m and again with that of 5 m:
 ///   3  Members of structures with a matched member are matched, constrained by its height, until
-///     nothing
-///      changes.
+///      nothing changes.
 ///   4  Segments within range of matched ones are matched, constrained by their height, until
-///     nothing changes.
+///      nothing changes.
 /// Processes 3 and 4 repeat until neither finds more. The geometric constraint becomes looser from
 /// process to process; the constraints of Core never change. NeighbourHeights compares the heights.
 ProcessedSegments four_processes(const SearchedPair& pair,

@@ -13,8 +13,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Neighbouring edge pixels share the blur: n of them count as n / 2.8 independent ones, as
-/// edge_noise() has it for aerial images.
+/// Neighbouring edge pixels share the blur: n of them count as n / 2.8 independent ones, the value
+/// that edge_noise() assumes for aerial images.
 constexpr double kCorrelation = 2.8;
 
 void add_reliable_points(const EdgeChain& chain, std::vector<ChainPoint>& points) {
@@ -29,8 +29,8 @@ void add_reliable_points(const EdgeChain& chain, std::vector<ChainPoint>& points
   }
 }
 
-/// The derivatives of the ends of a line by the shift (px, at the centroid) and the direction (rad)
-/// of the right line.
+/// The derivatives of the ends of a line with respect to the shift (px, at the centroid) and the
+/// direction (rad) of the right line.
 Eigen::Matrix<double, 6, 2> by_right_line(const Segment3& line,
                                           const SearchedPair& pair,
                                           const UncertainSegment2& right) {
@@ -97,7 +97,7 @@ std::optional<FittedLine> line_through_links(int left_id,
                                    pair.right.segments[id].line, gsd_m),
                         on_line);
   }
-  // fragments are linked in any order; the line runs the way of the left segment
+  // fragments are linked in any order; the line has the direction of the left segment
   std::ranges::stable_sort(on_line, {}, &ChainPoint::step);
   std::optional<FittedLine> line =
       fit_line(transformed(on_line, &ChainPoint::x_in_local), kCorrelation);

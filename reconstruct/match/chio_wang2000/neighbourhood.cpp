@@ -11,10 +11,10 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-// Multiple of the sigma of a height difference that is allowed for as noise.
+// Multiple of the sigma of a height difference that is allowed as noise.
 constexpr double kHeightSigmas = 2.0;
 
-/// How far the heights of two lines are apart; negative where they overlap.
+/// The gap between the height ranges of two lines; negative if they overlap.
 double gap_m(const CoreCandidate& a, const CoreCandidate& b) {
   const auto [low_a, high_a] = std::ranges::minmax(a.overlap.height_m);
   const auto [low_b, high_b] = std::ranges::minmax(b.overlap.height_m);
@@ -40,7 +40,7 @@ Neighbourhood segments_in_range(std::span<const Segment2> segments,
                                 std::span<const CoreCandidates> candidates,
                                 double range_m) {
   Neighbourhood neighbourhood(segments.size());
-  // A range of 0 would still find segments that cross in the image, whatever their heights are.
+  // A range of 0 would still find segments that cross in the image, whatever their heights.
   if (!(range_m > 0.0)) return neighbourhood;
   const BoxIndex2 index(segments);
   tbb::parallel_for(std::size_t{0}, segments.size(), [&](std::size_t i) {

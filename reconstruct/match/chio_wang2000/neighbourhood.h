@@ -14,7 +14,7 @@
 
 namespace ridgeline::reconstruct {
 
-/// A segment whose height may constrain another's.
+/// A segment whose height may constrain that of another one.
 struct Neighbour {
   int left = 0;
   /// Where the two segments meet; empty in segments_in_range().
@@ -25,22 +25,22 @@ struct Neighbour {
 /// The neighbours of each left segment, in the order in which they are tried.
 using Neighbourhood = std::vector<std::vector<Neighbour>>;
 
-/// The neighbours of each segment in its structures: their other members. Those of the strongest
+/// The neighbours of each segment: the other members of its structures. Those of the strongest
 /// structure come first.
 Neighbourhood adjacent_segments(std::span<const Segment2> segments,
                                 std::span<const Structure> structures);
 
 /// The neighbours of each segment within `range_m`, nearest first. The range is converted to pixels
-/// by the size of the segment's pixels on the ground. There are none for a range of 0 or a segment
-/// without candidates.
+/// by the ground size of a pixel at the segment. A segment has no neighbours if the range is 0 or
+/// if it has no candidates.
 Neighbourhood segments_in_range(std::span<const Segment2> segments,
                                 std::span<const CoreCandidates> candidates,
                                 double range_m);
 
-/// Compares the height of a candidate with that of a matched neighbour. Without allowance for
-/// noise, the mean heights of both lines are compared. With it, the heights where the two lines
-/// meet are compared; if they do not meet, the gap between the ranges of their heights counts. The
-/// noise of both then widens the limit.
+/// Compares the height of a candidate with that of a matched neighbour. Without a noise allowance,
+/// the mean heights of both lines are compared. With one, the heights where the two lines meet are
+/// compared or, if they do not meet, the gap between their height ranges counts, and the noise of
+/// both widens the limit.
 class NeighbourHeights {
  public:
   /// Both arguments must live as long as this object.
@@ -53,7 +53,8 @@ class NeighbourHeights {
   [[nodiscard]] double height_of(const Neighbour& neighbour,
                                  const CoreCandidate& counterpart) const;
 
-  /// Whether a candidate of a left segment is as high as its neighbour, within a limit.
+  /// Whether a candidate of a left segment and the segment's neighbour agree in height to within a
+  /// limit.
   [[nodiscard]] bool agree(int left,
                            const CoreCandidate& candidate,
                            const Neighbour& neighbour,

@@ -13,7 +13,7 @@ struct ChioOptions {
   double max_azimuth_deg = 10.0;
   int min_pieces = 8;
   double height_difference_m = 0.5;  ///< limit in the second to the fourth process
-  double range_m = 5.0;  ///< search range of the fourth process; ours, as the paper gives none
+  double range_m = 5.0;              ///< search range of the fourth process; our own value
 
   static constexpr auto fields() {
     using O = ChioOptions;

@@ -57,7 +57,7 @@ std::vector<Crossing> crossings_of(std::span<const Segment2> segments) {
 }
 
 /// Groups of crossings. Each group begins with its most precise crossing; the others lie within the
-/// radius of it.
+/// radius around it.
 std::vector<std::vector<Crossing>> grouped(const std::vector<Crossing>& crossings, double radius) {
   using Place = bg::model::d2::point_xy<double>;
   bg::index::rtree<std::pair<Place, std::size_t>, bg::index::quadratic<16>> first_of_groups;

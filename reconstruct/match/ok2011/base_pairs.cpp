@@ -16,7 +16,7 @@ namespace {
 constexpr double kFirstRadius_px = 30.0;
 constexpr double kMaxRadius_px = 150.0;
 constexpr double kGrowth = 1.5;   // factor of the radius per step
-constexpr int kMinPartners = 3;   // the radius grows until a segment has them
+constexpr int kMinPartners = 3;   // the radius grows until a segment has this many
 constexpr int kMaxPartners = 15;  // the nearest are kept
 
 struct Partner {

@@ -8,7 +8,7 @@
 
 namespace ridgeline::reconstruct {
 
-/// Smallest enclosed angle of a pair, as in the t-term of Ok et al. 2011, Eq. 6.
+/// Smallest angle enclosed by a pair, as in the t-term of Ok et al. 2011, Eq. 6.
 inline constexpr double kMinPairAngle_deg = 10.0;
 
 /// Two segments of one image that may meet in object space; first < second.
@@ -20,10 +20,10 @@ struct BasePair {
 };
 
 /// The reference pairs of an image (Ok et al. 2011, section 2), in ascending order. The acute angle
-/// of a pair is above kMinPairAngle_deg. The distance of its segments and the distances of their
-/// intersection from both are within a radius. The radius grows per segment until it has
-/// three partners, so that isolated lines find some. If there are more than 15, the nearest are
-/// kept. A pair that either member keeps is kept.
+/// between the segments of a pair exceeds kMinPairAngle_deg. The distance between the segments and
+/// the distances of their intersection from both lie within a radius. For each segment, the radius
+/// grows until there are three partners, so that isolated lines find some. If there are more than
+/// 15, the nearest are kept. A pair is kept if either member keeps it.
 std::vector<BasePair> base_pairs(std::span<const Segment2> segments);
 
 }  // namespace ridgeline::reconstruct

@@ -11,7 +11,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 // Spreads of the geometric constraints between correct pairs, for surfaces inclined by up to 45
-// degrees and a base to height ratio of 0.26 (O). The argument `spread` multiplies them.
+// degrees and a base-to-height ratio of 0.26. The argument `spread` multiplies them.
 constexpr double kAngleSigma_rad = 5.0 * kRadPerDeg;
 constexpr double kDirectionSigma_rad = 8.0 * kRadPerDeg;
 constexpr double kExtentLogSigma = 0.15;
@@ -50,7 +50,7 @@ double intersection_sigma_px(const UncertainSegment2& a,
                              const UncertainSegment2& b,
                              const Eigen::Vector2d& intersection,
                              const Eigen::Vector2d& direction_of_interest) {
-  // x solves n_i x = c_i, so an error of line i across at x moves x by the column i of N^-1.
+  // x solves n_i x = c_i, so an error of line i across itself at x moves x along column i of N^-1.
   Eigen::Matrix2d normals;
   Eigen::Vector2d sigma_across;
   int row = 0;

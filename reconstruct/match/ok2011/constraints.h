@@ -16,8 +16,8 @@ namespace ridgeline::reconstruct {
 // of segments of the left image agrees with a pair of the right one. Each is in [0, 1], 1 for
 // perfect agreement, and absent where it is not defined.
 
-/// A pair of segments in one image, in ideal pixels. In the right image the segments run the way of
-/// their left counterparts.
+/// A pair of segments in one image, in ideal pixels. In the right image, the segments have the
+/// direction of their left counterparts.
 struct PairShape {
   Segment2 first, second;  ///< each clipped to its epipolar overlap with its counterpart
   Eigen::Vector2d intersection;
@@ -25,8 +25,8 @@ struct PairShape {
 };
 
 /// Constraint 1: the intersection points lie on each other's epipolar lines. exp(-d^2 / (2
-/// sigma^2)) for their mean distance d. sigma comes from the precision of the segments
-/// (intersection_sigma_px) and from kMeetSigma_px, because edges of a building rarely meet in one
+/// sigma^2)) for their mean distance d. sigma combines the precision of the segments
+/// (intersection_sigma_px) with kMeetSigma_px, because edges of a building rarely meet in one
 /// point: they pass each other at gutters and overhangs.
 std::optional<double> epipolar_similarity(double distance_px, double sigma_px);
 inline constexpr double kMeetSigma_px = 1.0;
@@ -38,9 +38,8 @@ double intersection_sigma_px(const UncertainSegment2& a,
                              const Eigen::Vector2d& intersection,
                              const Eigen::Vector2d& direction);
 
-/// Constraint 2: the oriented angle from the first to the second segment. It is always defined for
-/// a pair. In the constraints 2 to 4, `spread` multiplies the differences that are expected between
-/// correct pairs.
+/// Constraint 2: the oriented angle from the first to the second segment. Always defined for a
+/// pair. In constraints 2 to 4, `spread` multiplies the differences expected between correct pairs.
 std::optional<double> angle_similarity(const PairShape& left,
                                        const PairShape& right,
                                        double spread = 1.0);
@@ -57,11 +56,11 @@ std::optional<double> extent_similarity(const PairShape& left,
                                         const PairShape& right,
                                         double spread = 1.0);
 
-/// Constraints 5 and 6 are those of one line: colour_similarity() and contrast_similarity() of
-/// views/line_similarity.h.
+/// Constraints 5 and 6 compare single lines: colour_similarity() and contrast_similarity() in
+/// appearance/line_similarity.h.
 
-/// The image content spanned by a pair on the grid of the pair's own affine frame. The origin is
-/// the intersection point, the axes run along the segments.
+/// The image content spanned by a pair, sampled on a grid in the pair's own affine frame: the
+/// origin is the intersection point, and the axes run along the segments.
 struct PairPatch {
   static constexpr int kSize = 12;
   static constexpr int kNumSamples = kSize * kSize;
@@ -74,16 +73,16 @@ struct PairFrame {
   Eigen::Vector2d origin, first, second;
 };
 
-/// Samples the parallelogram of the frame; nothing if a part of it lies outside of the image.
+/// Samples the parallelogram of the frame; empty if part of it lies outside the image.
 std::optional<PairPatch> pair_patch(const ImageSampler& image, const PairFrame& frame);
 
-/// Constraint 7: normalised cross correlation over all bands, negative values as 0. Absent without
-/// texture.
+/// Constraint 7: normalised cross-correlation over all bands, with negative values set to 0. Absent
+/// without texture.
 std::optional<double> correlation(const PairPatch& left, const PairPatch& right);
 
-/// Constraint 8: similarity of the spatiograms, which are histograms of 8 bins with the places of
-/// their pixels (O Conaire et al. 2007), mean over the bands. It is exactly 1 for equal patches and
-/// the same for any affine change of the pair.
+/// Constraint 8: similarity of the spatiograms, which are 8-bin histograms that include the
+/// positions of their pixels (O Conaire et al. 2007), averaged over the bands. It is exactly 1 for
+/// equal patches and invariant to affine changes of the pair.
 std::optional<double> spatiogram_similarity(const PairPatch& left, const PairPatch& right);
 
 }  // namespace ridgeline::reconstruct

@@ -7,9 +7,10 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Largest ratio of the probabilities of the next and the best counterpart; ours.
+/// Largest ratio of the probability of the second best counterpart to that of the best one; ours.
 constexpr double kMaxDistanceRatio = 0.8;
-/// Least probability of a match without matched partners, where only its appearance tells; ours.
+/// Minimum probability of a match without matched partners, which is judged by its appearance only;
+/// ours.
 constexpr double kMinIsolatedProbability = 0.98;
 
 /// A candidate by left segment and rank.
@@ -36,8 +37,8 @@ std::size_t best_of(const std::vector<Support>& supports) {
   return static_cast<std::size_t>(best - supports.begin());
 }
 
-/// Ratio of the probabilities of the next and the best counterpart. Fragments of the best
-/// counterpart's edge do not count as the next.
+/// Ratio of the probability of the second best counterpart to that of the best one. Fragments of
+/// the best counterpart's edge do not count as second best.
 double distance_ratio(const MatchChoices& choices, std::size_t i, const Supports& of_all) {
   const std::vector<Candidate>& candidates = choices.candidates[i];
   const std::vector<Support>& supports = of_all[i];
@@ -53,7 +54,7 @@ double distance_ratio(const MatchChoices& choices, std::size_t i, const Supports
 
 /// The smallest probability at which a candidate is taken. The shortest segments find something
 /// similar by chance, above all in textures. If one segment is much shorter than the other, their
-/// ends do not tell that both show one edge.
+/// ends are no evidence that both show the same edge.
 double least_probability(const Segment2& left, const Segment2& right, const MatchOptions& options) {
   constexpr double kShort_px = 12.0;
   constexpr double kOfShort = 0.9;
@@ -66,8 +67,8 @@ double least_probability(const Segment2& left, const Segment2& right, const Matc
   return least;
 }
 
-/// For each left segment, how many of its partners have a counterpart that can be trusted, so that
-/// they could vote.
+/// For each left segment, how many of its partners have a trustworthy counterpart and could
+/// therefore vote.
 std::vector<int> voters(const MatchChoices& choices,
                         std::span<const BasePair> pairs,
                         const Supports& supports,
@@ -87,7 +88,7 @@ std::vector<int> voters(const MatchChoices& choices,
   return count;
 }
 
-/// Whether a line's pairs give too few votes to its candidate. An isolated line is taken by its
+/// Whether a line's pairs give its candidate too few votes. An isolated line is accepted by its
 /// appearance if that leaves no doubt.
 bool lacks_votes(const Support& support, int n_voters, const MatchOptions& options) {
   constexpr int kIsolated = 1;
@@ -101,7 +102,7 @@ MatchOutcome prospect(const MatchChoices& choices,
                       const Supports& of_all,
                       int n_voters,
                       const MatchOptions& options) {
-  constexpr double kWeak = 0.2;  // if two candidates are equally weak, neither is right
+  constexpr double kWeak = 0.2;  // if two candidates are equally weak, neither is correct
   const std::vector<Candidate>& candidates = choices.candidates[i];
   const std::vector<Support>& supports = of_all[i];
   if (candidates.empty()) return MatchOutcome::kNoCandidate;
@@ -132,8 +133,8 @@ class Taken {
     of_right_[candidate(choice).right].push_back(choice);
   }
 
-  /// Whether neither segment already has a counterpart for the same part of it, or a counterpart of
-  /// another edge.
+  /// Whether neither segment already has a counterpart for the same part of it or one on another
+  /// edge.
   [[nodiscard]] bool allow(const Choice& choice) const {
     const Candidate& own = candidate(choice);
     const auto shares = [&](const Choice& other) {
@@ -171,8 +172,7 @@ MatchResult final_choice(const MatchChoices& choices,
                          const Supports& supports,
                          std::span<const BasePair> pairs,
                          const MatchOptions& options) {
-  // A fragment has no rivals among the other fragments, which makes it look more certain than it
-  // is.
+  // A fragment has no rivals among the other fragments, so it appears more certain than it is.
   constexpr double kFurtherCounterpart = 0.7;
   const std::vector<int> n_voters = voters(choices, pairs, supports, options);
   MatchResult result;

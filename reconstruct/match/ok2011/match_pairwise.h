@@ -12,9 +12,9 @@
 
 namespace ridgeline::reconstruct {
 
-/// The places where extensions beyond the paper enter the matching. Each may be empty.
+/// Hooks for extensions of the matching beyond the paper. Each may be empty.
 struct MatchExtensions {
-  /// Gives a better radiometry than the first one, which comes from the flanks of all segments.
+  /// Improves on the first radiometry, which comes from the flanks of all segments.
   std::function<Radiometry(const SearchedPair& pair, const Radiometry& first)> radiometry;
   CandidateAppearance appearance;
   /// Changes the candidates, best first, once all of them are known.
@@ -26,11 +26,11 @@ struct MatchExtensions {
 /// The outcome of the matching for a left segment.
 enum class MatchOutcome : std::uint8_t {
   kMatched,
-  kNoCandidate,  ///< no right segment in its epipolar band that could be it
-  kLowScore,     ///< its best candidate does not look or fit well enough
-  kAmbiguous,    ///< two candidates are about as good
-  kNoPair,       ///< no pair supports its best candidate, and its appearance alone does not suffice
-  kLostVote,     ///< its best candidate belongs to another left segment
+  kNoCandidate,  ///< no possible counterpart in its epipolar band
+  kLowScore,     ///< its best candidate is not probable enough
+  kAmbiguous,    ///< two candidates are about equally good
+  kNoPair,  ///< too few pairs support its best candidate, and its appearance alone does not suffice
+  kLostVote,  ///< its best candidate belongs to another left segment
 };
 const char* name(MatchOutcome outcome);  ///< "matched", "no_candidate", ...
 
@@ -41,16 +41,16 @@ struct MatchResult {
 
 /// Pair-wise matching of line segments (Ok et al. 2011, section 2).
 ///
-/// Candidates come from the epipolar geometry and the range of heights; pairs of neighbouring
-/// segments are compared with pairs of candidates by eight constraints; the votes of the pairs,
-/// iterated to a fixed point, decide. Beyond the paper, single lines have a similarity of their own
-/// (both sides of the line compared separately) and neighbours support heights near theirs, so that
-/// isolated lines are not lost. Fragments of one edge, in either image, may share a counterpart;
-/// two edges never do.
+/// Candidates come from the epipolar geometry and the height range; pairs of neighbouring segments
+/// are compared with pairs of candidates by eight constraints; the votes of the pairs, iterated to
+/// a fixed point, select the matches. Beyond the paper, single lines have a similarity of their own
+/// (each side of the line is compared separately) and neighbours support heights near theirs, so
+/// that isolated lines are not lost. Fragments of one edge, in either image, may share a
+/// counterpart; two edges never do.
 ///
 /// Deterministic for any number of threads. Throws std::invalid_argument for options or heights out
-/// of range, matrices that are not finite or without epipolar geometry, and images of other types
-/// or different numbers of bands.
+/// of range, matrices that are not finite or define no epipolar geometry, and images of unsupported
+/// types or with different numbers of bands.
 MatchResult match_pairwise(const StereoPair& pair,
                            const MatchOptions& options = {},
                            const CandidateOptions& candidate_options = {},

@@ -10,10 +10,10 @@ namespace ridgeline::reconstruct {
 /// The options of pair-wise matching. Ok et al. 2011 name the steps but publish no numbers, so the
 /// defaults are ours.
 struct MatchOptions {
-  /// Least probability of a match against its rivals. It is 0.9 if a segment is shorter than 12 px,
-  /// and 0.6 if one segment is shorter than three quarters of the other.
+  /// Minimum probability of a match relative to its rivals; at least 0.9 if a segment is shorter
+  /// than 12 px, and 0.6 if one segment is shorter than three quarters of the other.
   double min_probability = 0.4;
-  /// Least votes from the pairs of a match whose partners are matched.
+  /// Minimum votes from the pairs of a match whose partners are matched.
   double min_votes = 0.3;
 
   static constexpr auto fields() {

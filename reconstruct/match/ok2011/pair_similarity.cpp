@@ -19,7 +19,7 @@ Segment2 clipped(const Segment2& s, const std::array<double, 2>& range) {
   return {point_at(s, range[0]), point_at(s, range[1])};
 }
 
-/// The members clipped to their overlaps, in ideal pixels or in those of the files.
+/// The members clipped to their overlaps, in ideal pixels or in file pixels.
 struct Clipped {
   std::array<Segment2, 2> left, right;
 };
@@ -34,7 +34,7 @@ Clipped clip(const EdgePair& a, const EdgePair& b, bool in_file) {
 }
 
 /// Side of the patch along a member, from the intersection point to the far end, in both images. A
-/// near-aligned member is taken as level, because its ends do not correspond.
+/// near-aligned member is assumed to be level, because its ends do not correspond.
 struct PatchSides {
   Eigen::Vector2d left, right;
 };
@@ -87,7 +87,7 @@ std::optional<double> mean(const std::optional<double>& a, const std::optional<d
   return a ? a : b;
 }
 
-/// Distance of the intersection points from each other's epipolar lines with its sigma.
+/// Distance of the intersection points from each other's epipolar lines, with its sigma.
 struct EpipolarMisfit {
   double distance_px, sigma_px;
 };
@@ -106,7 +106,7 @@ EpipolarMisfit epipolar_misfit(const PairScene& scene,
                      intersection_sigma_px(a.right.line, b.right.line, x_right, n_right))};
 }
 
-/// All constraints of a pair of line matches; nothing if it fails a gate.
+/// All constraints of a pair of line matches; empty if it fails a gate.
 std::optional<Constraints> constraints_of(const PairScene& scene,
                                           const EdgePair& a,
                                           const EdgePair& b) {
@@ -152,7 +152,7 @@ double weighted_similarity(const Constraints& constraints) {
 }
 
 double vote_of(double similarity) {
-  constexpr double kEven = 0.77;  // at this similarity as many pairs are right as wrong
+  constexpr double kEven = 0.77;  // at this similarity, as many pairs are correct as wrong
   // About the sum of the weights, which is the scale of the regression.
   constexpr double kSlope = 17.0;
   return 1.0 / (1.0 + std::exp(-kSlope * (similarity - kEven)));

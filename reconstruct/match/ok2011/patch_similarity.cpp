@@ -16,7 +16,8 @@ constexpr double kMinVariance = 1e-6;
 
 Eigen::Vector2d place(int sample) { return {sample % PairPatch::kSize, sample / PairPatch::kSize}; }
 
-/// A bin of a spatiogram: share of the pixels, mean and covariance of their places, grid units.
+/// A bin of a spatiogram: share of the pixels, mean and covariance of their positions, in grid
+/// units.
 struct Bin {
   double share = 0.0;
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
@@ -40,7 +41,7 @@ Spatiogram spatiogram(const PairPatch& patch, int band, float low, float high) {
     Bin& bin = bins[b];
     if (!(bin.share > 0.0)) continue;
     bin.mean /= bin.share;
-    // The floor of one grid cell keeps bins of a few pixels regular.
+    // The added variance of one grid cell keeps the covariance of bins with few pixels regular.
     bin.cov =
         squares[b] / bin.share - bin.mean * bin.mean.transpose() + Eigen::Matrix2d::Identity();
     bin.share /= PairPatch::kNumSamples;
@@ -98,7 +99,8 @@ std::optional<double> correlation(const PairPatch& left, const PairPatch& right)
 std::optional<double> spatiogram_similarity(const PairPatch& left, const PairPatch& right) {
   double sum = 0.0;
   for (int band = 0; band < left.n_bands; ++band) {
-    // The bins cover the values that occur, because fixed ones would put a dark roof into one bin.
+    // The bins cover the values that occur, because fixed bins would put a dark roof into a single
+    // one.
     float low = left.colours[0][band];
     float high = low;
     for (const PairPatch* patch : {&left, &right}) {

@@ -14,9 +14,9 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr int kMaxVotingPasses = 20;
-constexpr double kFixedPoint = 1e-4;  // the passes end when no probability changes by this
-/// A share of support starts from "undecided" with this weight: a lone neighbour proves little, and
-/// a segment without neighbours is judged by its appearance.
+constexpr double kFixedPoint = 1e-4;  // the passes end when no probability changes by this much
+/// A share of support starts from "undecided" with this weight, because a lone neighbour proves
+/// little and a segment without neighbours is judged by its appearance.
 constexpr double kLittle = 0.5;
 constexpr double kUndecided = 0.5;
 
@@ -34,7 +34,7 @@ void add_votes(const VoteGraph& graph,
                std::span<const double> probability,
                Flat candidate,
                Support& support) {
-  constexpr double kSupporting = 0.25;  // the least vote that counts as a pair
+  constexpr double kSupporting = 0.25;  // the smallest vote that counts as a pair
   const std::vector<Link>& links = graph.links[candidate];
   double possible = 0.0;
   for (std::size_t begin = 0; begin < links.size();) {
@@ -56,7 +56,7 @@ double height_support(const VoteGraph& graph, std::span<const double> probabilit
   constexpr double kNear_px = 12.0;
   constexpr double kSlope = 0.7;
   const EpipolarOverlap& own = graph.candidates[candidate]->overlap;
-  if (own.aligned) return kUndecided;  // the images do not tell the height of an aligned line
+  if (own.aligned) return kUndecided;  // the images do not determine the height of an aligned line
   double all = kLittle;
   double agreeing = kLittle * kUndecided;
   for (const NearSegment& neighbour : graph.neighbours[graph.left[candidate]]) {
@@ -73,7 +73,7 @@ double height_support(const VoteGraph& graph, std::span<const double> probabilit
   return agreeing / all;
 }
 
-/// Strength e^T of a candidate: odds of being right before its rivals are looked at.
+/// Strength e^T of a candidate: its odds of being correct before its rivals are considered.
 double strength(const Candidate& candidate, const Support& support) {
   constexpr double kBias = -3.5;
   constexpr double kLook = 0.8;
@@ -84,7 +84,7 @@ double strength(const Candidate& candidate, const Support& support) {
                   kHeight * support.height + candidate.log_odds);
 }
 
-/// The support of every candidate while the candidates are as probable as given.
+/// The support of every candidate for the given probabilities of the candidates.
 std::vector<Support> supports_at(const VoteGraph& graph, std::span<const double> probability) {
   std::vector<Support> supports(probability.size());
   tbb::parallel_for(std::size_t{0}, supports.size(), [&](std::size_t c) {
@@ -96,7 +96,7 @@ std::vector<Support> supports_at(const VoteGraph& graph, std::span<const double>
   return supports;
 }
 
-/// The probability of every candidate: its strength against that of its rivals.
+/// The probability of every candidate: its strength relative to that of its rivals.
 std::vector<double> probabilities(const VoteGraph& graph, std::span<const Support> supports) {
   std::vector<double> strengths(supports.size());
   tbb::parallel_for(std::size_t{0}, strengths.size(), [&](std::size_t c) {

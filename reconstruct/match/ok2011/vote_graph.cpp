@@ -46,7 +46,7 @@ void add_row_rivals(VoteGraph& graph, const MatchChoices& choices) {
   }
 }
 
-/// Adds the rivals with the same counterpart: other left segments that it may belong to.
+/// Adds the rivals with the same counterpart: other left segments to which it may belong.
 void add_column_rivals(VoteGraph& graph, const MatchChoices& choices) {
   const auto part = [&](Flat c) { return choices.on_left(graph.left[c], *graph.candidates[c]); };
   std::vector<std::vector<Flat>> of_right(choices.right.segments.size());

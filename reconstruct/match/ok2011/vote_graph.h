@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
-// Who votes for whom, and who competes with whom: what similarity_votes() iterates over.
+// The graph that similarity_votes() iterates over: who votes for whom, and who competes with whom.
 
 namespace ridgeline::reconstruct {
 
-/// A candidate by its place in the flat list of all candidates.
+/// Index of a candidate in the flat list of all candidates.
 using Flat = int;
 
 /// A pair match seen from one of its members.
@@ -20,16 +20,16 @@ struct Link {
   double vote;
 };
 
-/// A segment nearby whose height should agree where the two come closest.
+/// A nearby segment whose height should agree where the two segments come closest.
 struct NearSegment {
   int segment;
   double distance_px;
   double own_t, t;  ///< parameters of the closest points: on the segment itself, on the neighbour
 };
 
-/// The candidates of all left segments and what connects them.
+/// The candidates of all left segments and the links between them.
 struct VoteGraph {
-  /// By left segment: its first flat candidate; the last entry is the number of candidates.
+  /// By left segment: index of its first candidate; the last entry is the number of candidates.
   std::vector<int> first;
   std::vector<const Candidate*> candidates;
   std::vector<int> left;                             ///< by candidate: its left segment
@@ -37,7 +37,7 @@ struct VoteGraph {
   std::vector<std::vector<Link>> links;              ///< by candidate, ordered by partner
   std::vector<std::vector<NearSegment>> neighbours;  ///< by left segment
   double gsd_m = 0.0;
-  double same_height_m = 0.0;  ///< lines that meet in the image are this close in height
+  double same_height_m = 0.0;  ///< expected height difference of lines that meet in the image
 };
 
 /// Rivals of a candidate are other counterparts of its left segment, unless both are fragments of

@@ -13,7 +13,7 @@ namespace {
 
 using PointPair = std::array<Eigen::Vector2d, 2>;
 
-/// Where `other` shows the point that `own` shows at a pixel, from the lowest to the highest
+/// The positions in `other` of the point seen at a pixel of `own`, from the lowest to the highest
 /// height.
 Segment2 between_heights(const ProjectionMatrix& own,
                          const ProjectionMatrix& other,

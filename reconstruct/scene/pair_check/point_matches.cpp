@@ -12,11 +12,11 @@ namespace {
 struct Features {
   std::vector<cv::KeyPoint> points;  ///< in the reduced image
   cv::Mat descriptors;
-  Eigen::Vector2d scale;  ///< pixels of the image per pixel of the reduced one
+  Eigen::Vector2d scale;  ///< pixels of the image per pixel of the reduced image
 };
 
-/// A grey image reduced to half of its size; a small image is reduced less, a large one more. The
-/// points get less exact the more an image is reduced, and the time grows with the number of
+/// A grey image reduced to half its size; small images are reduced less, large ones more. Stronger
+/// reduction makes the points less accurate, whereas the run time increases with the number of
 /// pixels.
 cv::Mat reduced_grey(const cv::Mat& image) {
   constexpr double kMinSide_px = 500.0;
@@ -34,7 +34,7 @@ cv::Mat reduced_grey(const cv::Mat& image) {
 }
 
 Features features_of(const cv::Mat& image) {
-  constexpr int kMaxPoints = 1500;  // enough for a median; the time grows with their square
+  constexpr int kMaxPoints = 1500;  // enough for a median; the run time increases with their square
   const cv::Mat grey = reduced_grey(image);
   Features features;
   cv::SIFT::create(kMaxPoints)->detectAndCompute(grey, {}, features.points, features.descriptors);

@@ -22,7 +22,7 @@ import { LineTable } from './views/line_table';
 import { PatchImages } from './views/patch_images';
 import { provenance } from './views/provenance';
 
-/** Sentences on the points and on what became of the lines. */
+/** Sentences about the points, the lines and the unmatched segments. */
 function factsOf(patch: Patch): string {
   const { points } = patch;
   const cloud = points ? `${points.n_all.toLocaleString('en')} LIDAR points of ${points.n_read.toLocaleString('en')} read, ${fixed(points.per_m2, 1)} per m²${points.no_data_share === null ? '' : `, ${percent(points.no_data_share)} % of the area without points`}. ` : '';
@@ -34,7 +34,7 @@ function factsOf(patch: Patch): string {
   }).join('') + (unmatched.length > 0 ? `Unmatched segments of the first image: ${unmatched.join(', ')}.` : '');
 }
 
-/** An evaluation of line files has no panel of images unless a patch names them. */
+/** An evaluation of line files has no image panel unless one of its patches has images. */
 const hasImages = (report: Report): boolean => !isOfFiles(report) || report.patches.some((p) => p.images !== null);
 
 class Page {
@@ -149,7 +149,7 @@ const root = document.getElementById('app')!;
 try {
   const state = new State(readReport());
   const page = new Page(state, root);
-  // tests and the console use this
+  // for tests and the browser console
   Object.assign(globalThis, { ridgeline: { state, scene: page.sceneView, images: () => page.images } });
   document.documentElement.dataset['ready'] = 'true';
 } catch (error) {

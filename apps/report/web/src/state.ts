@@ -6,12 +6,12 @@ export interface Selection {
   method: number;
   line: number | null; // index in the method's lines
   match: number | null; // index of the match under review
-  pair: number; // index in PatchImages.pairs, of the images that are shown and reviewed
+  pair: number; // index in PatchImages.pairs of the pair shown and reviewed
 }
 
 type Listener = (now: Selection, before: Selection) => void;
 
-/** What is selected; all parts of the page share it. */
+/** The selection, which all parts of the page share. */
 export class State {
   private selection: Selection = { patch: 0, method: 0, line: null, match: null, pair: 0 };
   private readonly listeners: Listener[] = [];
@@ -51,14 +51,14 @@ export class State {
     this.set({ patch, method: same >= 0 ? same : chosen.product, line: null, match: null, pair: 0 });
   }
 
-  /** Chooses a method. Its line of the same id stays selected. */
+  /** Chooses a method. Its line with the same id, if any, stays selected. */
   chooseMethod(method: number): void {
     const id = this.line?.id;
     const line = id === undefined ? -1 : this.patch.methods[method]!.lines.findIndex((l) => l.id === id);
     this.set({ method, line: line < 0 ? null : line });
   }
 
-  /** Index of the line that was made of a segment of an image; null if there is none. */
+  /** Index of the line made from a segment of an image; null if there is none. */
   lineOfSegment(view: number, segment: number): number | null {
     const index = this.method.lines.findIndex((l) => l.observations?.some((s) => s[0] === view && s[1] === segment));
     return index < 0 ? null : index;

@@ -11,18 +11,18 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Lines that rest on their ends alone are at least this long: false matches of short segments have
-/// ends that agree as well.
+/// Lines supported by their ends alone must be at least this long, because the ends of falsely
+/// matched short segments can agree as well.
 constexpr double kMinLengthWithEnds_px = 15.0;
 
-/// Whether a segment is long enough for its ends to tell a depth.
+/// Whether a segment is long enough for its ends to determine a depth.
 bool has_telling_ends(const AlignedTrack& track) {
   return track.lines.frames.of(track.line.base()).image.scale_px *
              length(track.line.base().segment) >=
          kMinLengthWithEnds_px;
 }
 
-/// Whether the points are far enough apart along the segment to fix its direction.
+/// Whether the points are far enough apart along the segment to determine its direction.
 bool fix_direction(std::span<const CandidatePoint> points) {
   if (points.empty()) return false;
   const auto [low, high] = std::ranges::minmax(
@@ -47,8 +47,8 @@ ObservedTrack part_of(const TrackEvidence& evidence, const DepthPart& part) {
   return part_of_track;
 }
 
-/// Adds points of the line that lie on the surface beside it. Returns false if the surface does not
-/// give any.
+/// Adds points of the line that lie on the surface beside it. Returns false if the surface gives
+/// none.
 bool add_surface_points(const AlignedTrack& track,
                         const Surface& surface,
                         const DepthPart& part,
@@ -66,8 +66,8 @@ bool add_surface_points(const AlignedTrack& track,
   return support.on_surface;
 }
 
-/// The point with `sigma` added to its uncertainty in every direction: lines that meet miss each
-/// other by that.
+/// The point with `sigma` added to its uncertainty in every direction, because lines that meet miss
+/// each other by this much.
 UncertainPoint3 scattered(UncertainPoint3 point, double sigma) {
   const double w = point.mean.w();
   point.cov.topLeftCorner<3, 3>() += w * w * sigma * sigma * Eigen::Matrix3d::Identity();

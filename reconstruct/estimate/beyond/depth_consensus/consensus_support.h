@@ -9,12 +9,12 @@
 
 namespace ridgeline::reconstruct {
 
-/// Gives the support of aligned tracks whose evidence agrees on the depth (agree_on_depth()). A
-/// track gives the lines that it shows, mostly one, each with its artificial points that agree.
-/// Points on the surface beside the line are added if it is known. Otherwise the ends of both
-/// segments are added if they agree and the artificial points fix no direction.
+/// Determines the support of aligned tracks whose evidence agrees on the depth (agree_on_depth()).
+/// A track yields the lines that it shows, usually one, each with the artificial points that agree.
+/// Points on the surface beside the line are added if the surface is known. Otherwise the ends of
+/// both segments are added if they agree and the artificial points fix no direction.
 /// @param lines       must live as long as the result; so must the surfaces
-/// @param direct      the lines by their planes; their ends are likely heights
+/// @param direct      the lines by `direct`; their ends give likely heights
 /// @param surface_of  the surfaces of the pairs (options.surface)
 SupportOfTrack consensus_support(const TrackedLines& lines,
                                  std::span<const ReconstructedLine> direct,

@@ -13,8 +13,8 @@ constexpr double kUnreached = -std::numeric_limits<double>::infinity();
 
 double squared(double x) { return x * x; }
 
-/// Density of the slope of lines that are not built horizontal: roofs of 20 to 50 degrees mostly,
-/// and streets.
+/// Density of the slope of lines that are not built horizontal: mostly roofs of 20 to 50 degrees,
+/// but also streets.
 double sloping(double slope) {
   constexpr double kRoof = 0.7, kRoofScatter = 0.3, kRoofShare = 0.9, kStreet = 0.6;
   return kRoofShare * bell((slope - kRoof) / kRoofScatter) +
@@ -34,15 +34,15 @@ double log_step_prior(bool is_first, const ConsensusOptions& options) {
   return std::log(is_first ? options.step_share : kNextShare);
 }
 
-/// Logarithm of the prior of the height of a step. It is small, because houses of a row follow the
-/// street, and the ground below does not cut an eave.
+/// Logarithm of the prior of the height of a step. Steps are low, because the houses of a row
+/// follow the street, and the ground below does not cut an eave.
 double log_rise_prior(double rise_m) {
   constexpr double kRise_m = 1.0;
   return -0.5 * squared(rise_m / kRise_m);
 }
 
-/// Indices of the evidence at which the track may be cut, in the order along it; one for evidence
-/// at the same place.
+/// Indices of the evidence at which the track may be cut, in order along it; one for all evidence
+/// at the same position.
 std::vector<std::size_t> places_to_cut(const DepthQuestion& question, const DepthScorer& scorer) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < question.evidence.size(); ++i) {
@@ -63,7 +63,7 @@ struct DepthStep {
 };
 
 /// The best horizontal line between two cuts.
-/// @param from, to  cuts; none at the ends of the track
+/// @param from, to  cuts; empty at the ends of the track
 DepthStep best_step(const DepthQuestion& question,
                     const DepthScorer& scorer,
                     std::optional<std::size_t> from,
@@ -93,7 +93,8 @@ DepthStep best_step(const DepthQuestion& question,
   return best;
 }
 
-/// Whether a step is long enough to be a house, not the bonnet of a car beside a road marking.
+/// Whether a step is long enough to be a house rather than the bonnet of a car beside a road
+/// marking.
 bool is_long_step(const DepthQuestion& question,
                   std::optional<std::size_t> from,
                   std::optional<std::size_t> to) {
@@ -104,7 +105,8 @@ bool is_long_step(const DepthQuestion& question,
   return (end - start) * px >= kMinStepLengthPx;
 }
 
-/// The score of a cut's evidence, less what best_step() has counted for it on either side.
+/// The score of a cut's evidence, minus the scores that best_step() has counted for it on either
+/// side.
 double score_of_cut_once(const DepthQuestion& question,
                          const DepthScorer& scorer,
                          std::size_t cut,
@@ -115,11 +117,11 @@ double score_of_cut_once(const DepthQuestion& question,
          scorer.score_near_cut(e, after);
 }
 
-/// The best row from the start of the track to a place.
+/// The best row from the start of the track to a possible cut.
 struct Way {
   double score = kUnreached;
-  double log_prior = 0.0;  ///< share of the prior in the score
-  std::size_t from = 0;    ///< place where the last step begins
+  double log_prior = 0.0;  ///< contribution of the prior to the score
+  std::size_t from = 0;    ///< the cut where the last step begins
   DepthLine line;          ///< line of the last step
 };
 
@@ -183,8 +185,8 @@ std::optional<DepthProfile> row_profile(const DepthQuestion& question, const Dep
   const auto cut = [&](std::size_t place) {
     return place == 0 || place == end ? std::nullopt : std::optional(places[place - 1]);
   };
-  // The best way to each place comes from the best ways to the places before it. The last place is
-  // the end.
+  // The best way to each place follows from the best ways to the places before it. The last place
+  // is the end of the track.
   std::vector<Way> ways(end + 1);
   ways[0].score = 0.0;
   for (std::size_t to = 1; to <= end; ++to) {

@@ -17,13 +17,13 @@ std::vector<DepthProfile> straight_profiles(const DepthQuestion& question,
                                             const DepthScorer& scorer);
 
 /// Profiles of the two verges of a gable. They rise to a point where the track may be cut and fall
-/// again as steeply; any other evidence gives the slope. The prior is gable_share * r(slope), times
-/// a normal distribution of the difference in height of both feet.
+/// again equally steeply; any other piece of evidence gives the slope. The prior is gable_share *
+/// r(slope), times a normal distribution of the height difference between the two feet.
 std::vector<DepthProfile> gable_profiles(const DepthQuestion& question, const DepthScorer& scorer);
 
 /// The best row of horizontal lines at different heights, cut where the track may be cut. The prior
-/// is step_share for the first cut and more for those after it; steps of a metre or less are
-/// preferred. Nothing if no place to cut leaves steps of 15 px.
+/// is step_share for the first cut and larger for further ones; steps of a metre or less in height
+/// are preferred. Empty if no cut leaves steps at least 15 px long.
 std::optional<DepthProfile> row_profile(const DepthQuestion& question, const DepthScorer& scorer);
 
 }  // namespace ridgeline::reconstruct

@@ -13,11 +13,11 @@ namespace {
 
 /// Evidence supports a line within this many standard deviations.
 constexpr double kSupportSigma = 3.0;
-/// Two lines that meet are seen to end within this distance of each other.
+/// Lines that meet end within this distance of each other in the image.
 constexpr double kCutReachPx = 6.0;
 /// Largest factor by which agreement with the line raises the odds of evidence.
 constexpr double kAgreementGain = 4.0;
-/// How likely a point above the line is not on it, relative to a point below the line.
+/// How likely a point above the line is to be off it, relative to a point below the line.
 constexpr double kDoubtAbove = 0.1;
 
 }  // namespace
@@ -126,7 +126,7 @@ double DepthScorer::score_of_cut(std::size_t cut,
 
 double DepthScorer::score_of_end(int which, const DepthLine& line) const {
   constexpr double kSigmaHeight_m = 0.2;  // sigma of the heights of lines at the same height
-  constexpr double kElsewhere = 0.3;      // share of ends that are at the height of no line nearby
+  constexpr double kElsewhere = 0.3;  // share of ends that are not at the height of any nearby line
   if (question_.heights_nearby.empty()) return 0.0;
   const double z = height(line, which);
   double nearest = std::numeric_limits<double>::infinity();
@@ -136,10 +136,10 @@ double DepthScorer::score_of_end(int which, const DepthLine& line) const {
   return std::log(kElsewhere + (1.0 - kElsewhere) * bell(unit_m_ * nearest / kSigmaHeight_m));
 }
 
-/// Squared misclosure of the line's image with the segment of the other image, chi-square with 2
-/// degrees of freedom, on the scale of Student's distribution. What adjoins an edge, a shadow or a
-/// gutter, displaces it by more than its covariance tells, so that no single track may decide
-/// against all points.
+/// Squared misclosure between the line's image and the segment of the other image, chi-square with
+/// 2 degrees of freedom, on the scale of Student's distribution. A shadow or gutter adjoining an
+/// edge displaces it by more than its covariance indicates, so no single segment may overrule all
+/// points.
 double DepthScorer::other_misclosure(const DepthLine& h) const {
   constexpr double kFreedoms = 3.0;
   const UncertainLine2& other = question_.line.other().line;

@@ -13,7 +13,7 @@
 
 namespace ridgeline::reconstruct {
 
-/// Everything that tells the depth of an aligned track.
+/// All the information about the depth of an aligned track.
 struct DepthQuestion {
   const TrackedLines& lines;
   const ObservedTrack& line;
@@ -25,7 +25,7 @@ struct DepthQuestion {
   const SurfaceDepth* surface = nullptr;  ///< null if the surface is not known
 };
 
-/// What an aligned track may show, from its start to its end: one line or several.
+/// A hypothesis of what an aligned track shows, from its start to its end: one line or several.
 struct DepthProfile {
   std::vector<DepthLine> lines;
   std::vector<std::size_t> cuts;  ///< index of the evidence at each cut, ascending along the track
@@ -44,14 +44,14 @@ class DepthScorer {
   /// The direction in the projection plane that falls as steeply as the given one rises.
   [[nodiscard]] Eigen::Vector3d mirrored(const Eigen::Vector3d& direction) const;
 
-  /// Whether evidence lies within chance of the line.
+  /// Whether chance can explain the deviation of the evidence from the line.
   [[nodiscard]] bool supports(const DepthEvidence& evidence, const DepthLine& line) const;
-  /// Whether evidence is so near to a cut that it may be on either side of it.
+  /// Whether evidence is so close to a cut that it may be on either side of it.
   [[nodiscard]] bool is_at(std::size_t cut, const DepthEvidence& evidence) const;
   /// Index of the line of a profile that is seen at a parameter of the base segment.
   [[nodiscard]] std::size_t line_at(const DepthProfile& profile, double parameter) const;
 
-  /// Largest difference of the heights of two profiles over the segment.
+  /// Largest height difference between two profiles along the segment.
   [[nodiscard]] double apart_m(const DepthProfile& a, const DepthProfile& b) const;
 
   /// Height at the end of a profile above that at its start.
@@ -65,9 +65,10 @@ class DepthScorer {
   /// Score of a profile. All scores are logarithms of probabilities, up to one constant for all.
   [[nodiscard]] double score(const DepthProfile& profile) const;
   [[nodiscard]] double score(const DepthEvidence& evidence, const DepthLine& line) const;
-  /// Score of evidence so near to a cut that it speaks for a line beside it but not against one.
+  /// Score of evidence so close to a cut that it can support an adjacent line but not contradict
+  /// it.
   [[nodiscard]] double score_near_cut(const DepthEvidence& evidence, const DepthLine& line) const;
-  /// Score of the height at an end of the track: 0 its start, 1 its end.
+  /// Score of the height at an end of the track (`which`: 0 start, 1 end).
   [[nodiscard]] double score_of_end(int which, const DepthLine& line) const;
   /// Score of the evidence at the cut itself, which belongs to either line.
   [[nodiscard]] double score_of_cut(std::size_t cut,

@@ -20,7 +20,8 @@ KnownEnds::KnownEnds(const TrackedLines& lines, std::span<const ReconstructedLin
       ends.push_back(lines.frames.object.conditioned_from_local(end));
   }
   heights_ = transformed(ends, [](const Eigen::Vector3d& end) { return end.z(); });
-  // The line may end where another segment does. So the place of an end is computed by projection.
+  // The position of an end is computed by projection, because the line may end where another
+  // segment does.
   for (const ConditionedView& view : lines.frames.views) {
     InImage& in_image = by_view_.emplace_back();
     in_image.ends_px = transformed(ends, [&](const Eigen::Vector3d& end) {

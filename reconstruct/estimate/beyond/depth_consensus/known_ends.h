@@ -9,8 +9,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// The ends of lines of known height, by their place in each image. Eaves, ridges and streets come
-/// at few heights, so the heights of known ends are likely for the lines nearby, too.
+/// The ends of lines of known height, by their position in each image. Eaves, ridges and streets
+/// occur at few heights, so the heights of known ends are likely for nearby lines, too.
 class KnownEnds {
  public:
   /// @param direct  the lines by the method `direct`, the intersection of two projection planes
@@ -20,9 +20,9 @@ class KnownEnds {
   [[nodiscard]] std::vector<double> heights_near(std::size_t view, const Segment2& seen_px) const;
 
  private:
-  /// The ends as an image shows them.
+  /// The ends as seen in one image.
   struct InImage {
-    std::vector<Segment2> ends_px;  ///< segments of no length
+    std::vector<Segment2> ends_px;  ///< segments of zero length
     BoxIndex2 index;
   };
   std::vector<double> heights_;  ///< by end, conditioned object frame

@@ -8,15 +8,15 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// The probability that two lines which cross in both images meet, at W = 1.
+/// The probability, at W = 1, that two lines that cross in both images meet in space.
 constexpr double kMaxPointPrior = 0.7;
 /// The probability that the ends of both segments show the same point.
 constexpr double kEndPrior = 0.75;
 constexpr double kMinCutLength_px = 7.0;  // of each part of a match that is cut (calibration.md)
-constexpr double kMinCutWeight = 0.3;     // least weight W of a point where a track may be cut
+constexpr double kMinCutWeight = 0.3;     // minimum weight W of a point where a track may be cut
 
 /// The end of a segment as an uncertain point. Its sigma along the line is sigma_end; across the
-/// line it is that of the line.
+/// line, it is the sigma of the line.
 UncertainPoint2 end_in_image(const ObservedLine& observed,
                              const Eigen::Vector2d& end,
                              double sigma_end) {
@@ -31,8 +31,8 @@ UncertainPoint2 end_in_image(const ObservedLine& observed,
   return spherically_normalised(point);
 }
 
-/// The place in another view of the point that the base view shows at a pixel, if the point is as
-/// high as the patch's centre.
+/// The position in another view of the point that the base view shows at a pixel, assuming that the
+/// point is at the height of the patch's centre.
 Eigen::Vector2d on_level(const ConditionedView& base,
                          const ConditionedView& other,
                          const Eigen::Vector2d& x_in_base) {

@@ -14,15 +14,15 @@ namespace ridgeline::reconstruct {
 /// Sigma along the line of segment ends that show the same point (calibration.md).
 inline constexpr double kSigmaOfEnds_px = 1.0;
 
-/// An aligned track in the frames of the estimation. Base and other segment determine its depth. It
-/// borrows what it is made of.
+/// An aligned track in the frames of the estimation. The base segment and the other one determine
+/// its depth. Borrows its arguments.
 struct AlignedTrack {
   AlignedTrack(const TrackedLines& all, const ObservedTrack& observed);
 
   const TrackedLines& lines;
   const ObservedTrack& line;
-  /// Whether the other segment runs the other way than the base segment. The rule by which the
-  /// segments were directed does not matter.
+  /// Whether the other segment runs opposite to the base segment, whatever the rule by which
+  /// segments are directed.
   bool runs_back;
 
   /// The starts (0) or the ends (1) of both segments, in the direction of the base segment.
@@ -31,8 +31,8 @@ struct AlignedTrack {
   [[nodiscard]] std::array<Eigen::Vector2d, 2> places_of(const CandidatePoint& point) const;
 };
 
-/// What tells the depth of a track: the artificial points of sufficient weight, and the points that
-/// its ends show.
+/// The evidence for the depth of a track: the artificial points of sufficient weight, and the
+/// points shown by its ends.
 struct TrackEvidence {
   AlignedTrack track;
   std::vector<CandidatePoint> points;
@@ -43,10 +43,10 @@ struct TrackEvidence {
 
 TrackEvidence evidence_of(const AlignedTrack& track, std::span<const int> neighbours);
 
-/// The point in object space that both views show, by its place on the segment of each. The result
-/// is empty if there is no such point in front of the cameras and within the range of heights.
-/// @param x         the places in the base view and the other one, conditioned
-/// @param sigma_px  sigma of both places along the line
+/// The point in object space at given positions on the segments of both views. Empty if there is no
+/// such point in front of the cameras and within the height range.
+/// @param x         the positions in the base view and the other one, conditioned
+/// @param sigma_px  sigma of both positions along the line
 std::optional<UncertainPoint3> point_in_object(const AlignedTrack& track,
                                                const std::array<Eigen::Vector2d, 2>& x,
                                                double sigma_px);

@@ -10,8 +10,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kNonsense = 0.015;        // share of lines beside which the surface is wrong
-constexpr double kMinSigmaAlong_px = 0.3;  // least sigma of a homologous point along the line
+constexpr double kNonsense = 0.015;        // share of lines with a wrong surface beside them
+constexpr double kMinSigmaAlong_px = 0.3;  // minimum sigma of a homologous point along the line
 
 }  // namespace
 
@@ -28,11 +28,11 @@ Eigen::Vector2d SurfaceDepth::rectified(const Eigen::Vector2d& x_in_left) const 
       0, lines_.frames.of(line_.base()).image.image_from_conditioned(x_in_left));
 }
 
-/// Adds the stations of a piece; none unless the nearer surface is to be trusted.
+/// Adds the stations of a piece, provided that the nearer surface is trusted.
 void SurfaceDepth::add_stations(const SidesOfPiece& piece) {
   const SidePlane* nearer = piece.nearer();
   if (nearer == nullptr || !nearer->is_trusted()) return;
-  // A single plane tells the direction of the line as well, so it gives two stations.
+  // A single plane also determines the direction of the line, so it gives two stations.
   const bool is_single = piece.parameters == std::array{0.0, 1.0};
   for (const double share : is_single ? std::vector{0.2, 0.8} : std::vector{0.5}) {
     const double t_px = (share - 0.5) * piece.length_px;
@@ -42,8 +42,8 @@ void SurfaceDepth::add_stations(const SidesOfPiece& piece) {
 }
 
 /// Adds a station.
-/// @param parameter  place along the rectified segment, which hardly differs from that along the
-/// segment
+/// @param parameter  position along the rectified segment, which hardly differs from that along the
+///                   segment
 void SurfaceDepth::add_station(double parameter, double d_px, double sigma_px) {
   const Segment2& segment = line_.base().segment;
   const Eigen::Vector2d x = point_at(segment, parameter);
@@ -85,8 +85,8 @@ std::vector<DepthLine> SurfaceDepth::likely_lines(const Eigen::Vector3d& horizon
   return lines;
 }
 
-/// The pixels at which both images show a place of the left segment with a disparity. The right one
-/// is moved onto the right segment.
+/// The positions in both images of a point of the left segment with a given disparity. The right
+/// one is moved onto the right segment.
 std::array<Eigen::Vector2d, 2> SurfaceDepth::seen(double parameter, double d_px) const {
   const Rectification& r = surface_.rectification;
   const Eigen::Vector2d left = point_at(line_.base().segment, parameter);
@@ -101,7 +101,7 @@ std::array<Eigen::Vector2d, 2> SurfaceDepth::seen(double parameter, double d_px)
 
 std::optional<std::array<SurfaceDepth::Homologous, 2>> SurfaceDepth::homologous(
     const DepthLine& line) const {
-  constexpr double kMaxOffset = 3.0;       // standard deviations, root mean square
+  constexpr double kMaxOffset = 3.0;       // in standard deviations, RMS
   constexpr std::array kPlaces{0.1, 0.9};  // along the segment
   if (stations_.size() < 2) return std::nullopt;
   double squares = 0.0;

@@ -12,18 +12,18 @@
 
 namespace ridgeline::reconstruct {
 
-/// The depth of a track by the surfaces beside it. Along an epipolar line the line itself looks the
-/// same everywhere. Dense matching tells how deep the surfaces on both sides of it are
+/// The depth of a track from the surfaces beside it. Along an epipolar line, the line itself looks
+/// the same everywhere. Dense matching gives the depth of the surfaces on both sides of it
 /// (side_plane()), and a line bounds the nearer one.
 ///
-/// For every 30 px of the left segment (sides_along()) the line's disparity on the nearer surface
-/// is known with a sigma. A surface that holds less than half of its strip is not used. With the
+/// For every 30 px of the left segment (sides_along()), the line's disparity on the nearer surface
+/// is known with a sigma. A surface that explains less than half of its strip is not used. With the
 /// mean square z^2 of a profile's misfits in these sigmas:
 ///
 ///     log_likelihood = log(0.015 + 0.985 exp(-z^2 / 2))
 ///
-/// True roof edges of the training scenes are more than 3 sigma off with a frequency of 0.015. So a
-/// surface that is wrong, as in deep shadow, costs a profile no more than that.
+/// In the training scenes, true roof edges are more than 3 sigma off with a frequency of 0.015. A
+/// wrong surface, for example in deep shadow, therefore costs a profile no more than that.
 class SurfaceDepth {
  public:
   /// @param line  the track, or the part of it that its counterpart shows
@@ -46,16 +46,16 @@ class SurfaceDepth {
     std::array<Eigen::Vector2d, 2> x;
     double sigma_px;
   };
-  /// Two points on the surface, near both ends of the segment. Nothing if fewer than two places are
-  /// known, or if the given line is more than 3 sigma off them.
+  /// Two points on the surface, near both ends of the segment. Empty if the surface is known at
+  /// fewer than two stations, or if the given line is more than 3 sigma (RMS) off them.
   [[nodiscard]] std::optional<std::array<Homologous, 2>> homologous(const DepthLine& line) const;
 
  private:
-  /// A place along the left segment with the disparity of the nearer surface.
+  /// A position along the left segment with the disparity of the nearer surface.
   struct Station {
     double parameter = 0.0;
     double d_px = 0.0, sigma_px = 0.0;
-    Eigen::Vector4d across;  ///< plane of its ray that crosses the segment at right angles
+    Eigen::Vector4d across;  ///< plane through its ray, perpendicular to the segment in the image
     Eigen::Vector3d point;   ///< its point on the surface, conditioned
   };
   void add_stations(const SidesOfPiece& piece);

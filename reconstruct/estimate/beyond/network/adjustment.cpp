@@ -47,7 +47,7 @@ NetworkAdjustment::LineConditions NetworkAdjustment::conditions_of(const Network
   return conditions;
 }
 
-/// Calls `add(condition, sigma)` with all conditions of a single line.
+/// Calls `add(condition, sigma)` for all conditions on a single line.
 template <typename Add>
 void NetworkAdjustment::for_each_condition(std::size_t line,
                                            const Vector6d& at,
@@ -112,8 +112,8 @@ Eigen::SparseMatrix<double> NetworkAdjustment::normal_matrix(Eigen::VectorXd& ri
   for (std::size_t m = 0; m < meetings_.size(); ++m) {
     const auto a = static_cast<std::size_t>(meetings_[m].first);
     const auto b = static_cast<std::size_t>(meetings_[m].second);
-    // Meetings of weight zero are added too: their variance may be asked for, which needs a place
-    // in the pattern.
+    // Meetings of weight zero are added too, because predicted() needs their elements in the
+    // pattern.
     const OfLinePair miss = meeting(estimates_[a], estimates_[b]);
     const double root = std::sqrt(weights[m]) / sigma_of(m);
     const Eigen::Vector4d by_a = root * bases_[a].transpose() * miss.by_first;
@@ -158,8 +158,8 @@ bool NetworkAdjustment::minimise(double tolerance_sigma, int most_passes) {
       largest = std::max(largest, own.dot(lower.selfadjointView<Eigen::Lower>() * own));
     }
     largest = std::sqrt(largest);
-    // Where the images of a line contradict each other, full steps may go to and fro about the
-    // minimum, ever farther, by too little to show in the sum of all lines.
+    // If the images of a line contradict each other, full steps may oscillate about the minimum
+    // with growing amplitude, too small to show in the sum over all lines.
     const double largest_share = largest > before ? 0.5 : 1.0;
     const auto next = halved_step(
         sum, [&](double share) { return moved(step, share); },
@@ -201,7 +201,7 @@ Eigen::Matrix4d NetworkAdjustment::covariance_block(std::size_t row, std::size_t
 }
 
 NetworkAdjustment::Prediction NetworkAdjustment::predicted(std::size_t m) const {
-  constexpr double kMinShare = 1e-9;  // least share of the others in the information
+  constexpr double kMinShare = 1e-9;  // minimum share of the others in the information
   const auto a = static_cast<std::size_t>(meetings_[m].first);
   const auto b = static_cast<std::size_t>(meetings_[m].second);
   const OfLinePair distance = meeting(estimates_[a], estimates_[b]);

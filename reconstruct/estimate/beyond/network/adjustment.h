@@ -11,8 +11,8 @@
 namespace ridgeline::reconstruct {
 
 /// The adjustment of a group of lines for given weights of their meetings. It makes Gauss-Newton
-/// steps on the manifold of lines, with four unknowns each (line_tangent_basis()). A step is halved
-/// if it would not decrease the sum of squares.
+/// steps on the manifold of lines, with four unknowns per line (line_tangent_basis()). A step is
+/// halved if it would not decrease the sum of squares.
 class NetworkAdjustment {
  public:
   /// @param meetings   by indices into `lines`
@@ -28,26 +28,27 @@ class NetworkAdjustment {
   [[nodiscard]] const NetworkLine& line(std::size_t i) const { return *lines_[i]; }
   [[nodiscard]] const Vector6d& estimate(std::size_t i) const { return estimates_[i]; }
 
-  /// Factor of the information of each meeting, 0 to 1.
+  /// Factor for the information of each meeting, 0 to 1.
   std::vector<double> weights;
 
-  /// Returns false if the equations are singular. It has converged if no line moves by more than
-  /// `tolerance_sigma` of its standard deviations. It also stops after `most_passes` and if no step
-  /// lowers the sum.
+  /// Returns false if the equations are singular. The adjustment has converged if no line moves by
+  /// more than `tolerance_sigma` of its standard deviations. It also stops after `most_passes`
+  /// passes or if no step lowers the sum of squares.
   bool minimise(double tolerance_sigma, int most_passes);
   [[nodiscard]] bool converged() const { return converged_; }
-  /// Computes what covariance() and predicted() return; false if the equations are singular.
+  /// Prepares covariance() and predicted(). Returns false if the equations are singular.
   bool invert();
 
-  /// The distance by which the lines of a meeting miss each other, as everything but the meeting
-  /// predicts it, in standard deviations of a meeting.
+  /// The distance by which the lines of a meeting miss each other, as predicted from everything but
+  /// the meeting, in standard deviations of a meeting.
   struct Prediction {
     double miss = 0.0;
-    double sigma = 0.0;  ///< sigma of the lines; infinite if nothing else controls it
+    double sigma = 0.0;  ///< sigma due to the lines; infinite if nothing else determines the miss
   };
-  /// The prediction from the covariances at the start alone; uncontrolled if a line has none.
+  /// The prediction from the initial covariances only; of infinite sigma if a line has none.
   [[nodiscard]] Prediction predicted_at_start(std::size_t meeting) const;
-  /// The prediction from all but this meeting, at the current weights. It needs invert() first.
+  /// The prediction from everything but this meeting, at the current weights. Requires invert()
+  /// first.
   [[nodiscard]] Prediction predicted(std::size_t meeting) const;
   [[nodiscard]] Matrix6d covariance(std::size_t line) const;
   [[nodiscard]] double image_omega(std::size_t line) const;
@@ -67,7 +68,7 @@ class NetworkAdjustment {
   void for_each_condition(std::size_t line, const Vector6d& at, const Add& add) const;
   [[nodiscard]] double sum_of_squares(const std::vector<Vector6d>& at) const;
   [[nodiscard]] Eigen::SparseMatrix<double> normal_matrix(Eigen::VectorXd& right) const;
-  /// The lines after a share `factor` of a step.
+  /// The lines after the fraction `factor` of a step.
   [[nodiscard]] std::vector<Vector6d> moved(const Eigen::VectorXd& step, double factor) const;
   [[nodiscard]] Eigen::Matrix4d covariance_block(std::size_t row, std::size_t column) const;
 

@@ -22,10 +22,10 @@ struct OfLinePair {
   Vector6d by_first = Vector6d::Zero(), by_second = Vector6d::Zero();
 };
 
-/// The conditions of an image on a line: the distances of the line's image from two points of the
-/// observed line, over their standard deviation sqrt(2) sigma_q. The points lie on either side of
-/// the centroid so that their distances are uncorrelated. The sign of both distances changes with
-/// that of the line.
+/// The conditions that an image imposes on a line: the distances of the line's image from two
+/// points of the observed line, divided by their standard deviation sqrt(2) sigma_q. The points lie
+/// on either side of the centroid so that their distances are uncorrelated. The sign of both
+/// distances changes with that of the line.
 class ImageCondition {
  public:
   /// @param observed  has a covariance of rank 2: shift at the centroid and direction
@@ -39,7 +39,7 @@ class ImageCondition {
   double sigma_;
 };
 
-/// Signed distance of two lines; its sign depends on the signs of the lines. It is not finite for
+/// Signed distance between two lines; its sign depends on the signs of the lines. Not finite for
 /// parallel lines.
 OfLinePair meeting(const Vector6d& first, const Vector6d& second);
 
@@ -49,7 +49,7 @@ OfLine rise(const Vector6d& line);
 /// Height of the point where the line passes through a plane.
 OfLine height_in_plane(const Vector6d& line, const Eigen::Vector4d& plane);
 
-/// The plane that an image shows as the line through x normal to the segment.
+/// The plane whose image is the line through x normal to the segment.
 Eigen::Vector4d end_plane(const ConditionedView& view,
                           const Segment2& segment,
                           const Eigen::Vector2d& x);

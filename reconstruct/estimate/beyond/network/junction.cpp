@@ -10,13 +10,13 @@ namespace {
 
 enum class MeetingPlace { kEnd, kWithin, kBeyond };
 
-/// Where the crossings with another line lie on the segments of a line, mean of the images that
-/// show both.
+/// Where the crossings with another line lie on the segments of a line, averaged over the images
+/// that show both.
 MeetingPlace place_of(const ConditionedViews& frames,
                       const ObservedTrack& line,
                       const ObservedTrack& other) {
   constexpr double kAtEnd_px = 4.0;
-  double to_end_px = 0.0;  // mean of the images: positive beyond the end, negative within
+  double to_end_px = 0.0;  // mean over the images: positive beyond the end, negative within
   const std::vector<SeenTogether> views = seen_together(line, other);
   const double share = 1.0 / static_cast<double>(views.size());
   for (const SeenTogether& view : views) {

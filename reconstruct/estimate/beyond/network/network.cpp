@@ -22,7 +22,7 @@ constexpr double kConverged = 1e-6;  // in standard deviations, as in adjust_lin
 /// Lines that a chain of meetings connects, ascending, and their meetings.
 struct ConnectedLines {
   std::vector<int> lines;
-  std::vector<Meeting> meetings;  ///< their lines are places in ConnectedLines::lines
+  std::vector<Meeting> meetings;  ///< their lines are indices into ConnectedLines::lines
 };
 
 std::vector<ConnectedLines> connected_groups(std::size_t n_lines,
@@ -51,9 +51,8 @@ std::vector<ConnectedLines> connected_groups(std::size_t n_lines,
 
 double square(double x) { return x * x; }
 
-/// Posterior probability that two lines meet, by how far everything else predicts that they miss
-/// each other. The miss is normally distributed if they meet, and otherwise about uniform over
-/// max_miss_m.
+/// Posterior probability that two lines meet, given the miss predicted from everything else. The
+/// miss is normally distributed if they meet, and otherwise about uniform over max_miss_m.
 double probability(const Junction& junction,
                    const NetworkAdjustment::Prediction& predicted,
                    const BuildingOptions& options) {
@@ -70,9 +69,9 @@ double probability(const Junction& junction,
 
 /// Expectation maximisation over whether the lines meet: each meeting is weighted by its
 /// probability, given all others at their weights. A meeting that is improbable for the two lines
-/// alone is never used, because false meetings of one line, as of a road marking with the cars
-/// beside it, would support each other. The meetings are decided at the end. Returns false if the
-/// equations are singular.
+/// alone is never used, because false meetings of one line, for example of a road marking with the
+/// cars beside it, would support each other. The final decision on the meetings is made at the end.
+/// Returns false if the equations are singular.
 bool decide_meetings(NetworkAdjustment& adjustment, const BuildingOptions& options) {
   constexpr int kMaxRounds = 20;
   constexpr double kSettled = 1e-3;      // largest change of a weight
@@ -100,7 +99,7 @@ bool decide_meetings(NetworkAdjustment& adjustment, const BuildingOptions& optio
   return adjustment.minimise(kConverged, kMaxAdjustmentPasses);
 }
 
-/// Whether the lines of a group have converged; then these are their results.
+/// Stores the results of a group if its adjustment has converged; returns whether it has.
 bool take_results(const ConnectedLines& group,
                   NetworkAdjustment& adjustment,
                   std::vector<AdjustedInNetwork>& results) {
@@ -146,7 +145,8 @@ void adjust_group(const ConditionedViews& frames,
   };
   NetworkAdjustment adjustment = adjustment_of(group);
   if (!decide_meetings(adjustment, options) || take_results(group, adjustment, results)) return;
-  // A line that does not converge, as its images contradict each other, only spoils its own part.
+  // A line that does not converge because its images contradict each other only spoils its own
+  // part.
   for (const ConnectedLines& part : accepted_parts(group, adjustment)) {
     NetworkAdjustment alone = adjustment_of(part);
     if (alone.minimise(kConverged, kMaxAdjustmentPasses)) take_results(part, alone, results);

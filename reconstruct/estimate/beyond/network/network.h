@@ -19,12 +19,11 @@ namespace ridgeline::reconstruct {
 struct NetworkLine {
   ObservedTrack track;
   Vector6d start = Vector6d::Zero();  ///< unit vector
-  /// Covariance of `start`, by which likely meetings are found at the beginning; none if nothing is
-  /// known of it.
+  /// Covariance of `start`, used to find likely meetings at the beginning; empty if unknown.
   std::optional<Matrix6d> start_cov;
-  /// Whether the line is taken as horizontal, within options.sigma_slope.
+  /// Whether the line is assumed to be horizontal, within options.sigma_slope.
   bool is_horizontal = false;
-  /// Ends of the base and the other segment that are taken to show the same point.
+  /// Ends of the base segment and of the other one that are assumed to show the same point.
   std::vector<std::array<Eigen::Vector2d, 2>> ends;
   double sigma_ends_px = 1.0;  ///< standard deviation of each of `ends` along the line
 };
@@ -44,20 +43,21 @@ struct AdjustedInNetwork {
   bool adjusted = false;
 };
 
-/// Adjusts all lines together by their images, the accepted meetings, horizontality and
-/// corresponding ends for the lines that need these, and the range of heights as a weak prior of
-/// the heights of both ends. Unlike in adjust_line(), every segment enters once, so that what lines
-/// have in common is accounted for.
+/// Jointly adjusts all lines, using their images, the accepted meetings, horizontality and
+/// corresponding ends for the lines that need them, and the height range as a weak prior for the
+/// heights of both ends. Unlike in adjust_line(), every segment enters once, so observations common
+/// to several lines are accounted for.
 ///
-/// A meeting is an inlier with the standard deviation of its junction, or an outlier of a constant
-/// density over max_miss_m. Expectation maximisation weighs the meetings; at the end those of a
-/// posterior probability of at least 0.5 are accepted.
+/// A meeting is either an inlier with the standard deviation of its junction or an outlier with a
+/// constant density over max_miss_m. Expectation maximisation weights the meetings; at the end,
+/// those with a posterior probability of at least 0.5 are accepted.
 ///
-/// There are no alternative starts, no conditions between lines and planes or of parallel and
-/// perpendicular lines, and no heights that are carried on within the adjustment.
+/// There are no alternative starts, no conditions between lines and planes or for parallel and
+/// perpendicular lines, and heights are not propagated within the adjustment.
 ///
-/// Lines without a chain of meetings between them are independent, so each group is one sparse
-/// system, and the groups run in parallel. Results do not depend on the number of threads.
+/// Lines without a chain of meetings between them are independent, so each connected group is one
+/// sparse system, and the groups are adjusted in parallel. Results do not depend on the number of
+/// threads.
 /// @param heights_m  lowest and highest height of objects, local frame
 std::vector<AdjustedInNetwork> adjust_network(const ConditionedViews& frames,
                                               std::span<const NetworkLine> lines,

@@ -13,8 +13,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Starts from the line through both ends. The scatter of the ends along the line drops out of its
-/// covariance.
+/// Starts from the line through both ends. The scatter of the ends along the line cancels out of
+/// its covariance.
 void start_from(const ReconstructedLine& joint,
                 const ObjectConditioning& object,
                 NetworkLine& line) {
@@ -46,7 +46,7 @@ NetworkLine network_line(const TrackedLines& lines, std::size_t track, const Joi
   return line;
 }
 
-/// The lines with a geometry, and the tracks that they come from.
+/// The lines with a geometry, and the tracks from which they come.
 struct Members {
   std::vector<NetworkLine> lines;
   std::vector<JointLine*> results;
@@ -67,8 +67,8 @@ Members members_of(const TrackedLines& lines, std::vector<std::vector<JointLine>
   return members;
 }
 
-/// The part of a track that is closest to another line in the first view that shows both; nothing
-/// for a track without parts.
+/// The part of a track that is closest to another line in the first view that shows both; empty for
+/// a track without parts.
 std::optional<int> closest_part(const Members& members,
                                 std::size_t track,
                                 const ObservedTrack& other) {
@@ -102,8 +102,8 @@ std::vector<Meeting> meetings_of(const TrackedLines& lines,
   return meetings;
 }
 
-/// Whether the line is known far better than by the range of heights alone: any combination of its
-/// heights has at most this share of the variance of the range.
+/// Whether the line is determined far better than by the height range alone: the variance of any
+/// normalised combination of its end heights is at most kMaxVarianceShare of that of the range.
 bool is_determined(const ReconstructedLine& line, const std::array<double, 2>& heights_m) {
   constexpr double kMaxVarianceShare = 0.01;
   const Matrix6d& cov = *line.covariance_m2;
@@ -113,8 +113,8 @@ bool is_determined(const ReconstructedLine& line, const std::array<double, 2>& h
   return largest <= kMaxVarianceShare * range_m * range_m / 12.0;
 }
 
-/// Whether more lines meet it than `joint` has points of it and, if `joint` has any, its height is
-/// more certain.
+/// Whether the line has more meetings than `joint` has points on it and, if `joint` has any, a more
+/// certain height.
 bool is_better_known(const ReconstructedLine& by_network, int n_meetings, const JointLine& joint) {
   const auto n_points = static_cast<int>(joint.line.points.size() + joint.support.ends.size());
   if (n_meetings <= n_points) return false;

@@ -10,10 +10,10 @@
 namespace ridgeline::reconstruct {
 
 /// Applies adjust_network() to the results of `joint` (Method::kNetwork), which also give the
-/// support of aligned lines. A line stays as it is if it has no geometry, if the network cannot
+/// support of aligned lines. A line is left unchanged if it has no geometry, if the network cannot
 /// adjust it or hardly determines it, if it has no more accepted meetings than `joint` has points,
-/// or if `joint` knows its height better.
-/// @param lines     have covariances of the centroid form, whatever `joint` has used
+/// or if `joint` determines its height better.
+/// @param lines     have covariances of the centroid form, whichever form `joint` used
 /// @param by_track  the line of each track, or its parts
 void adjust_together(const TrackedLines& lines,
                      std::span<const PairConnection> connections,

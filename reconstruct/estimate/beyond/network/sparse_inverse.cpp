@@ -11,7 +11,7 @@ namespace ridgeline::reconstruct {
 std::optional<SparseInverse> SparseInverse::of(const Eigen::SparseMatrix<double>& lower) {
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> ldlt(lower);
   if (ldlt.info() != Eigen::Success) return std::nullopt;
-  const Eigen::VectorXd diagonal = ldlt.vectorD();  // which copies all of it
+  const Eigen::VectorXd diagonal = ldlt.vectorD();  // once: vectorD() copies it
   if (!(diagonal.minCoeff() > 0.0)) return std::nullopt;
   SparseInverse result;
   const Eigen::SparseMatrix<double> factor = ldlt.matrixL();

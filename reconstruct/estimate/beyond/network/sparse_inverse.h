@@ -10,9 +10,9 @@
 namespace ridgeline::reconstruct {
 
 /// Cholesky factors of a symmetric positive definite sparse matrix, and those elements of its
-/// inverse that lie in the pattern of the factors. These are all that covariances of connected
-/// unknowns need. They take about the time of the factorisation (Takahashi et al. 1973), while the
-/// whole inverse is dense.
+/// inverse that lie in the pattern of the factors. They suffice for the covariances of connected
+/// unknowns. Computing them takes about as long as the factorisation (Takahashi et al. 1973), while
+/// the whole inverse is dense.
 class SparseInverse {
  public:
   /// Factorises a matrix given by its lower triangle. Empty if the matrix is not positive definite.
@@ -22,7 +22,7 @@ class SparseInverse {
 
   /// Computes the elements of the inverse in the pattern of the factors.
   void invert();
-  /// Element of the inverse; throws std::out_of_range outside of the pattern, or before invert().
+  /// Element of the inverse; throws std::out_of_range outside the pattern or before invert().
   [[nodiscard]] double at(int row, int column) const;
 
  private:
@@ -36,7 +36,7 @@ class SparseInverse {
   [[nodiscard]] double inverse_at(int row, int column) const;
 
   std::vector<SparseColumn> columns_;
-  std::vector<int> place_;  ///< place of each unknown in the order of elimination
+  std::vector<int> place_;  ///< position of each unknown in the elimination order
   bool is_inverted_ = false;
 };
 

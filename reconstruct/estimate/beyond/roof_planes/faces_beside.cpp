@@ -14,15 +14,15 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-// Sigma of the line's distance from the plane, the same at both ends.
+// Sigma of the line's distance from the plane, common to both ends.
 constexpr double kShared_px = 0.3;
-constexpr double kOwn_px = 0.1;  // sigma that each end adds
+constexpr double kOwn_px = 0.1;  // additional sigma of each end
 
 using Matrix26d = Eigen::Matrix<double, 2, 6>;
 
-/// The face that at least half of the places beside a segment lie in.
+/// The face that contains at least half of the sample points beside a segment.
 std::optional<int> face_beside(const PlaneFaces& faces, const Segment2& rectified, double side) {
-  constexpr double kBeside_px = 4.0;  // the cells that an edge crosses are in no face, mostly
+  constexpr double kBeside_px = 4.0;  // cells crossed by an edge mostly belong to no face
   constexpr int kMinPlaces = 3;
   const Eigen::Vector2d off = side * kBeside_px * normal(rectified);
   const int n_places =

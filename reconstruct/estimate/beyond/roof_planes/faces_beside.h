@@ -8,21 +8,21 @@
 namespace ridgeline::reconstruct {
 
 /// Adjusts a line to the plane faces that it borders: eaves and verges to one, ridges, hips and
-/// valleys to two. Faces know heights better than edges that run near the base. Edges know better
-/// where a line is in the image.
+/// valleys to two. Faces determine heights better than edges nearly parallel to the base do. Edges
+/// determine the position of a line in the image better.
 ///
-/// A face is beside a line if half of the places 4 px beside its left segment are in it. Such a
-/// face gives two conditions: both ends lie on its plane, in disparities of the rectified left
-/// view. The conditions hold to 0.3 px that both ends share (gutters and steps that the matching
-/// fattens) and to 0.1 px of each end. A face that the line contradicts at 99.9 % (fences, cars, a
-/// street below an eave) changes nothing. If there are two faces, the nearer one comes first. A
-/// line without covariance stays as it is.
+/// A face is beside a line if at least half of the points 4 px beside its left segment are in it.
+/// Such a face gives two conditions: both ends lie on its plane, in disparities of the rectified
+/// left view. The sigma of the conditions has a part of 0.3 px that is common to both ends
+/// (gutters, and steps that the matching fattens) and a part of 0.1 px for each end. A face that
+/// the line contradicts at the 99.9 % level (fences, cars, a street below an eave) is not used. Of
+/// two faces, the nearer one is applied first. A line without covariance is left unchanged.
 void adjust_to_faces_beside(const Rectification& r,
                             const PlaneFaces& faces,
                             ReconstructedLine& line);
 
-/// How far the disparity of a point is from that of a plane at the pixel where the rectified left
-/// view shows the point.
+/// Disparity of a point minus that of a plane at the pixel where the rectified left view shows the
+/// point.
 struct PlaneMisfit {
   double value_px = 0.0;
   Eigen::RowVector3d by_point;

@@ -13,15 +13,15 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kSeed_px = 0.25;      // root mean square of three by three cells about their plane
-constexpr double kOnPlane_px = 0.4;    // root mean square of a cell about the plane of a face
-constexpr double kMaxFaceSlope = 0.6;  // change of disparity per pixel; walls have more
+constexpr double kSeed_px = 0.25;       // RMS of three by three cells about their plane
+constexpr double kOnPlane_px = 0.4;     // RMS of a cell about the plane of a face
+constexpr double kMaxFaceSlope = 0.6;   // change of disparity per pixel; walls are steeper
 constexpr double kMinKnownShare = 0.5;  // share of a cell's pixels that have a disparity
 constexpr int kMinCells = 12;
 
 /// Moments of pixels (x, y, disparity), from which planes and the distances of the pixels from them
-/// follow. They are moments about the mean, so that a small face far from the first pixel loses no
-/// digits.
+/// are computed. They are taken about the mean, so that a small face far from the first pixel does
+/// not lose precision.
 struct PlaneSums {
   double n = 0.0;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -113,7 +113,7 @@ class Growing {
            cell(row, column).n >= kMinKnownShare * PlaneFaces::kCell_px * PlaneFaces::kCell_px;
   }
 
-  /// The sum of three by three cells about a place; nothing unless all of them are free.
+  /// The sum of the three by three cells about a cell; empty unless all of them are free.
   std::optional<PlaneSums> block_about(int row, int column) {
     PlaneSums block;
     for (int r = row - 1; r <= row + 1; ++r) {
@@ -125,7 +125,7 @@ class Growing {
     return block;
   }
 
-  /// Places at which faces may begin, the best first.
+  /// Cells from which faces may grow, best first.
   std::vector<Seed> seeds() {
     std::vector<Seed> seeds;
     for (int row = 1; row + 1 < rows_; ++row) {
@@ -177,8 +177,8 @@ class Growing {
     result_.faces.push_back({plane, covariance(inner, plane), static_cast<int>(members.size())});
   }
 
-  /// Sums over the cells of a face with all neighbours in it, because cells on its border may hold
-  /// what is beyond.
+  /// Sums over the cells of a face whose neighbours all belong to it, because cells on its border
+  /// may include pixels beyond it.
   PlaneSums inner_sums(const std::vector<std::pair<int, int>>& members, int index) {
     PlaneSums inner;
     const auto is_member = [&](int row, int column) {
@@ -193,9 +193,10 @@ class Growing {
     return inner;
   }
 
-  /// Covariance of a plane. It allows for neighbours that err together, as the matching smooths.
+  /// Covariance of a plane. It allows for errors common to neighbours, because the matching
+  /// smooths.
   static Eigen::Matrix3d covariance(const PlaneSums& all, const Eigen::Vector3d& plane) {
-    constexpr double kTogether = 100.0;  // number of pixels that err together
+    constexpr double kTogether = 100.0;  // number of pixels with a common error
     constexpr double kMinSigma_px = 0.05;
     const double sigma_px = std::max(kMinSigma_px, all.rms_px(plane));
     return kTogether * sigma_px * sigma_px * all.cofactors();

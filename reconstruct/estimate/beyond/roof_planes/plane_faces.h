@@ -22,14 +22,14 @@ struct PlaneFace {
   }
 };
 
-/// The plane faces of a surface and the square cells that each holds.
+/// The plane faces of a surface and the square cells that belong to each.
 struct PlaneFaces {
   static constexpr int kCell_px = 6;
   static constexpr int kNone = -1;
   std::vector<PlaneFace> faces;
   cv::Mat face_of_cell;  ///< CV_32S, by row and column of the cells; kNone if a cell has none
 
-  /// The face that a pixel is in, kNone for none.
+  /// The face that contains a pixel, or kNone.
   [[nodiscard]] int at(const Eigen::Vector2d& x_px) const;
 
   [[nodiscard]] static Eigen::Vector2d centre_px(int row, int column) {
@@ -38,8 +38,8 @@ struct PlaneFaces {
 };
 
 /// Grows faces from the most planar cells. A face grows as long as the next cell lies on the plane
-/// of the cells before it to 0.4 px, root mean square. The plane of a face is then fitted to its
-/// inner cells. Faces of less than 12 cells or without an inner one and surfaces as steep as walls
+/// of the previous cells to within 0.4 px RMS. The plane of a face is then fitted to its inner
+/// cells. Faces of fewer than 12 cells or without an inner cell, and surfaces as steep as walls,
 /// are left out.
 PlaneFaces plane_faces(const Surface& surface);
 

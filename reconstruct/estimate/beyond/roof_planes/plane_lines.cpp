@@ -21,10 +21,10 @@ constexpr double kFromIntersection_px = 1.0 * PlaneFaces::kCell_px;
 constexpr double kMinShareOnLine = 0.6;  // share of the border that must lie on the line
 constexpr double kMaxGap_px = 2.5 * PlaneFaces::kCell_px;
 constexpr double kMinIntersectionLength_px = 20.0;
-// Sigma of an end along the line, because it is uncertain where the faces end.
+// Sigma of an end along the line: the extent of the faces is uncertain.
 constexpr double kSigmaEnd_px = 0.5 * PlaneFaces::kCell_px;
 
-/// The places where two faces border on each other: middles between their cells.
+/// The points where two faces border on each other: midpoints between their cells.
 using Borders = std::map<std::pair<int, int>, std::vector<Eigen::Vector2d>>;
 
 Borders borders_of(const PlaneFaces& faces) {
@@ -100,7 +100,7 @@ Matrix6d covariance(const PointOfPlanes& start,
   return cov;
 }
 
-/// Whether known lines run along a line, to the tolerance, over half of its length.
+/// Whether known lines run along a line, to within the tolerance, over half of its length.
 bool is_known(const Segment3& line, std::span<const ReconstructedLine> known) {
   constexpr int kSamples = 11;
   constexpr double kTolerance_m = 0.3;

@@ -12,10 +12,11 @@ namespace ridgeline::reconstruct {
 
 /// Ridges, hips and valleys where two plane faces of the surface meet and no line was reconstructed
 /// from edges (Method::kPlanes). A line runs as far as the faces border on each other along it. Its
-/// covariance is that of both planes.
-/// @param known  lines from edges; a line that they run along, to 0.3 m, over half of its length is
-/// left out The lines are in the order of the faces. Their status is kPlanes. They are seen in
-/// views 0 and 1 (left, right) without a segment (-1).
+/// covariance follows from those of both planes.
+/// @param known  lines from edges; an intersection line along which they run, to within 0.3 m, over
+///               half of its length is left out
+/// The lines are in the order of the faces. Their status is kPlanes. They are observed in views 0
+/// and 1 (left, right), without a segment (-1).
 std::vector<ReconstructedLine> plane_lines(const StereoPair& pair,
                                            const Surface& surface,
                                            std::span<const ReconstructedLine> known,

@@ -29,15 +29,15 @@ class TwoSteps {
     parameters_[2] = second_px;
   }
 
-  /// One pass of least squares. The colours enter linearly: the first pass finds them for the
-  /// offsets given.
+  /// One iteration of least squares. The colours enter linearly, so the first iteration finds them
+  /// for the given offsets.
   bool improve(std::span<const ProfileSample> samples, bool colours_only) {
     const Eigen::Index n = parameters_.size();
     Matrix normal = Matrix::Zero(n, n);
     Vector right = Vector::Zero(n);
     for (const ProfileSample& s : samples) add(s, colours_only, normal, right);
-    // This keeps the values of offsets and tilts that are not to move, or that the samples do not
-    // fix.
+    // This keeps offsets and tilts unchanged if they are held fixed or not determined by the
+    // samples.
     normal.diagonal().array() += 1e-9 * static_cast<double>(samples.size());
     const Eigen::LDLT<Matrix> solver(normal);
     if (solver.info() != Eigen::Success) return false;
@@ -56,7 +56,7 @@ class TwoSteps {
     return {parameters_[2 * which], parameters_[2 * which + 1], std::sqrt(squares)};
   }
 
-  /// Whether the second step takes the colour change of the first one back, summed over the bands.
+  /// Whether the second step reverses the colour change of the first one, summed over the bands.
   [[nodiscard]] bool turns_back() const {
     double product = 0.0;
     for (int band = 0; band < n_bands_; ++band) {
@@ -93,10 +93,10 @@ class TwoSteps {
   double blur_px_;
 };
 
-/// The two offsets that describe the profile best, if they do so clearly better than one.
+/// The two offsets that best describe the profile, if they are clearly better than a single one.
 std::optional<std::array<double, 2>> two_offsets(const StepBasis& basis,
                                                  const BinnedProfile& profile) {
-  // What two steps leave unexplained over what one step leaves.
+  // Residual sum of squares of two steps divided by that of one step.
   constexpr double kMaxRatio = 0.5;
   constexpr Eigen::Index kMinSeparation = 5;  // bins
   constexpr Eigen::Index kMaxSeparation = 30;
@@ -112,20 +112,21 @@ std::optional<std::array<double, 2>> two_offsets(const StepBasis& basis,
       at = {i, j};
     }
   }
-  if (at[0] == 0 || at[1] == n - 1) return std::nullopt;  // the profile shows an edge farther away
+  if (at[0] == 0 || at[1] == n - 1) return std::nullopt;  // the profile has an edge farther away
   if (profile.squares - best > kMaxRatio * (profile.squares - best_gain(basis, profile))) {
     return std::nullopt;
   }
   return std::array{basis.offsets_px[at[0]], basis.offsets_px[at[1]]};
 }
 
-/// Whether the least squares ended near where they began, with two edges that do not cross.
+/// Whether the least squares solution is close to its initial values and has two edges that do not
+/// cross.
 bool is_sound(const std::array<ProfileStep, 2>& steps, const std::array<double, 2>& begin) {
   constexpr double kMaxMove_px = 0.7;
   constexpr double kMinWidth_px = 0.4;
-  constexpr double kCrossing_px = -0.3;  // a strip may end in a point
+  constexpr double kCrossing_px = -0.3;  // a strip may taper to a point
   constexpr double kMaxTilt_px = 1.5;
-  constexpr double kMinStrengthRatio = 0.25;  // weaker step over the stronger one
+  constexpr double kMinStrengthRatio = 0.25;  // weaker step divided by the stronger one
   for (std::size_t i = 0; i < 2; ++i) {
     if (std::abs(steps[i].offset_px - begin[i]) > kMaxMove_px) return false;
     if (std::abs(steps[i].tilt_px) > kMaxTilt_px) return false;
@@ -147,7 +148,8 @@ CloseEdgeFinder::CloseEdgeFinder(double blur_px)
 std::optional<std::array<ProfileStep, 2>> CloseEdgeFinder::find(const cv::Mat& image,
                                                                 const Segment2& segment) const {
   constexpr int kPasses = 6;
-  // Two steps the same way may also be one step with a wider blur: a soft shadow.
+  // Two steps in the same direction may also be one step with a wider blur, for example a soft
+  // shadow.
   constexpr double kMinOneWayWidth_px = 0.9;
   const double half_width = profile_half_width_px(blur_);
   const std::vector<ProfileSample> samples = profile_samples(image, segment, half_width, unit_px_);

@@ -20,7 +20,7 @@ Segment2 line_through(const EdgeTrace& trace) {
   return {line.centroid + line.first * line.along, line.centroid + line.last * line.along};
 }
 
-/// The edge moved aside; its samples keep their scatter.
+/// The edge shifted to a step of its profile; its samples keep their scatter.
 EdgeTrace shifted(const EdgeTrace& trace,
                   const Segment2& line,
                   const ProfileStep& step,
@@ -79,8 +79,8 @@ bool same_edge(const Segment2& a, const Segment2& b) {
 double left_end(const Segment2& s) { return std::min(s.start.x(), s.end.x()); }
 double right_end(const Segment2& s) { return std::max(s.start.x(), s.end.x()); }
 
-/// Marks the parts to drop: if parts are the same edge and one of them is separated, the longest
-/// stays.
+/// Marks the parts to drop: if parts are the same edge and at least one of them is separated, only
+/// the longest is kept.
 std::vector<bool> repeated(const std::vector<EdgePart>& parts) {
   std::vector<std::size_t> by_left(parts.size());
   std::iota(by_left.begin(), by_left.end(), std::size_t{0});

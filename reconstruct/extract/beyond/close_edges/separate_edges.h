@@ -7,9 +7,9 @@
 
 namespace ridgeline::reconstruct {
 
-/// Replaces edges that are two edges blurred into one by these two (CloseEdgeFinder). If both had
-/// been detected already, each stays once.
-/// @param image  CV_32FC(n), n = 1..4, as the camera saw it: neither diffused nor boosted
+/// Replaces each edge that consists of two edges blurred into one by these two edges
+/// (CloseEdgeFinder). Edges that are then found twice are kept only once.
+/// @param image  CV_32FC(n), n = 1..4, as recorded by the camera: neither diffused nor sharpened
 std::vector<EdgeTrace> separate_edges(std::vector<EdgeTrace> edges, const cv::Mat& image);
 
 }  // namespace ridgeline::reconstruct

@@ -14,11 +14,11 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// By the second differences in both directions, in which edges are few (Immerkaer 1996, with a
-/// median for the mean).
+/// Estimates the noise from second differences in both directions, in which edges have little
+/// influence (Immerkaer 1996, with a median instead of the mean).
 std::optional<double> noise_of(const cv::Mat& image, const cv::Mat& is_valid) {
   constexpr double kMedianOfNormal = 0.6745;
-  const cv::Matx33f differences(1, -2, 1, -2, 4, -2, 1, -2, 1);  // of noise of 1 their sigma is 6
+  const cv::Matx33f differences(1, -2, 1, -2, 4, -2, 1, -2, 1);  // noise of sigma 1 gives sigma 6
   constexpr double kGain = 6.0;
   cv::Mat grey;
   cv::transform(image, grey, cv::Mat(1, image.channels(), CV_32F, 1.0 / image.channels()));
@@ -35,7 +35,7 @@ std::optional<double> noise_of(const cv::Mat& image, const cv::Mat& is_valid) {
   return upper_median(std::move(sizes)) / (kGain * kMedianOfNormal);
 }
 
-/// @param view  its segments are those of the scale
+/// @param view  only has the segments of this scale
 EdgesOfScale edges_of_scale(const View& view, int scale_px) {
   EdgesOfScale edges{.scale_px = scale_px, .n_segments = view.segments.size()};
   for (const EdgeSegment& segment : view.segments) edges.length_px += length(segment.in_image);

@@ -20,15 +20,17 @@ namespace {
 
 constexpr std::array kFactors{2, 3, 4, 6, 8};
 constexpr double kLong_px = 50.0;  ///< texture gives no segments of this length
-/// Growth of the length of long segments by which texture hides the edges of images. Sharp images
-/// reach 1.06, villages of seeds 1 to 3 without texture, blurred by 3 px, less than 1.2. The soft
-/// pair of sample patch 5 (Bayer, JPEG) exceeds it and gains by it.
+/// Growth of the total length of long segments above which texture is assumed to hide edges. Sharp
+/// images reach 1.06; the villages of seeds 1 to 3 without texture, blurred by 3 px, less than 1.2.
+/// The soft pair of sample patch 5 (Bayer, JPEG) exceeds this limit and benefits from the
+/// reduction.
 constexpr double kSoft = 1.2;
-/// Long segments of less length in a view, on average, do not show whether its image is soft.
+/// With a smaller mean total length of long segments per view, the segments do not show whether the
+/// images are soft.
 constexpr double kMinLengthPerView_px = 500.0;
-constexpr double kLonger = 1.03;         ///< growth by a better size; less is chance
-constexpr double kWorthwhile = 1.1;      ///< growth by the wider edges of a further reduction
-constexpr double kWhole = 0.8;           ///< share of an edge that shows it as a whole
+constexpr double kLonger = 1.03;     ///< growth by a better size; smaller growth is chance
+constexpr double kWorthwhile = 1.1;  ///< growth by the wider edges of a further reduction
+constexpr double kWhole = 0.8;       ///< share of an edge above which a segment shows it completely
 constexpr double kMinShareOnEdge = 0.5;  ///< share of a segment that makes it a piece of an edge
 
 using SegmentsByView = std::vector<std::vector<EdgeSegment>>;
@@ -44,10 +46,10 @@ double long_px(const SegmentsByView& by_view) {
   return sum_px;
 }
 
-/// The length of the stretch that a segment and an edge have in common; 0 unless the segment lies
-/// on the edge all along it.
+/// The length that a segment and an edge have in common; 0 unless the segment lies on the edge
+/// along all of it.
 double common_px(const Segment2& edge, const Segment2& segment, double tolerance_px) {
-  constexpr double kMaxTurn_deg = 10.0;  // short segments are turned by their noise
+  constexpr double kMaxTurn_deg = 10.0;  // noise rotates short segments
   if (acute_angle_rad(edge, segment) > kMaxTurn_deg * kRadPerDeg) return 0.0;
   const double at_start = parameter_along(edge, segment.start);
   const double at_end = parameter_along(edge, segment.end);
@@ -61,8 +63,8 @@ double common_px(const Segment2& edge, const Segment2& segment, double tolerance
   return (high - low) * length(edge);
 }
 
-/// Both lists with each edge once. A wider edge is left out if a finer segment shows it as a whole.
-/// If not, it takes the place of the finer segments that lie on it.
+/// Merges both lists so that each edge occurs once. A wider edge is left out if a finer segment
+/// shows it completely; otherwise it replaces the finer segments that lie on it.
 std::vector<EdgeSegment> merged(std::span<const EdgeSegment> finer,
                                 std::span<const EdgeSegment> wider) {
   const std::vector<Segment2> lines = transformed(finer, &EdgeSegment::in_image);
@@ -90,12 +92,12 @@ std::vector<EdgeSegment> merged(std::span<const EdgeSegment> finer,
   return all;
 }
 
-/// The segments of an image, searched again with more smoothing if its edges ask for it.
+/// The segments of an image, which is searched again with more smoothing if its edges are wide.
 std::vector<EdgeSegment> segments_at_their_width(const View& view,
                                                  double gradient_sigma_px,
                                                  const Extraction& extract) {
-  // Of the blur. From 0.65 to 1 the villages of seeds 1 to 3 give the most roof edges at a blur of
-  // 2, 3 and 4 px.
+  // Relative to the blur. Values from 0.65 to 1 give the most roof edges in the villages of seeds 1
+  // to 3 at a blur of 2, 3 and 4 px.
   constexpr double kSmoothing = 0.75;
   constexpr double kWorthwhileSmoothing = 1.1;
   std::vector<EdgeSegment> segments = extract(view, gradient_sigma_px);
@@ -121,7 +123,7 @@ std::vector<std::vector<EdgeSegment>> segments_at_common_size(std::span<const Vi
   };
   SegmentsByView all = reduced_by(1);
   const double fewest_px = kMinLengthPerView_px * static_cast<double>(views.size());
-  bool is_common_size = false;  // whether `all` was found at the size of most edges, or finer ones
+  bool is_common_size = false;  // whether `all` was found at the size of most edges or finer ones
   for (const int factor : kFactors) {
     SegmentsByView found = reduced_by(factor);
     const bool is_first = factor == kFactors.front();

@@ -10,28 +10,28 @@
 
 namespace ridgeline::reconstruct {
 
-/// The segments of a view in its pixels, found with this smoothing of the gradient.
+/// Finds the segments of a view, in its pixels, with the given smoothing of the gradient.
 using Extraction =
     std::function<std::vector<EdgeSegment>(const View& view, double gradient_sigma_px)>;
 
-/// The segments of the views of one place, found at the size and with the smoothing that their
-/// edges ask for. Lens, demosaicing, compression, haze and motion spread an edge over several
-/// pixels.
+/// The segments of the views of one place, found at the image size and with the smoothing that suit
+/// the width of their edges. Lens, demosaicing, compression, haze and motion spread an edge over
+/// several pixels.
 ///
-/// The gradient is smoothed about as much as the edges are: with less, noise moves and interrupts
-/// them. So where the segments of an image show edges wider than the smoothing was meant for, the
-/// image is searched again.
+/// The gradient is smoothed by about as much as the edges are blurred; with less smoothing, noise
+/// shifts and interrupts them. If the segments of an image show that its edges are wider than the
+/// smoothing assumed, the image is therefore searched again.
 ///
-/// At full size soft images may show texture more clearly than edges. They are reduced by 2, then
-/// by 3, 4, 6 and 8 as long as that makes their long segments longer, all in all, the first time
-/// by a fifth. Segments of the finer images are left out, because they are texture. All views have
-/// this size in common: an edge that is found at different sizes has different ends and neighbours,
-/// and fewer matches. Further reductions bring wider edges. Where several images show one edge, the
-/// finest segment that shows it as a whole is taken.
+/// At full size, soft images may show texture more clearly than edges. They are reduced by 2, then
+/// by 3, 4, 6 and 8, as long as this increases the total length of their long segments, the first
+/// time by a fifth. Segments of the finer images are left out, because they are texture. All views
+/// are reduced to the same size, because an edge found at different sizes has different ends and
+/// neighbours, and fewer matches. Further reductions add wider edges. If an edge is found at
+/// several sizes, the finest segment that shows it completely is used.
 /// @param views              their images are CV_32F
-/// @param gradient_sigma_px  the least smoothing, for edges of a sharp image
-/// @return by view, in its pixels; EdgeSegment::scale_px states where each was found. For
-///         sharp images, what `extract` finds in them
+/// @param gradient_sigma_px  minimum smoothing, for the edges of a sharp image
+/// @return by view, in its pixels; EdgeSegment::scale_px gives the scale at which each segment was
+///         found. For sharp images, the result of `extract`
 std::vector<std::vector<EdgeSegment>> segments_at_common_size(std::span<const View* const> views,
                                                               double gradient_sigma_px,
                                                               const Extraction& extract);

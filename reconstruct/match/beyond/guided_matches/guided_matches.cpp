@@ -18,9 +18,9 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-// Least length of a guide, because shorter ones are often texture.
+// Minimum length of a guide, because shorter ones are often texture.
 constexpr double kMinGuideLength_px = 15.0;
-/// Least similarity of a match by its appearance (calibration.md).
+/// Minimum similarity of the appearance of a match (calibration.md).
 constexpr double kMinGuidedSimilarity = 0.8;
 
 /// A step that may be the counterpart of a segment of the other view.
@@ -32,7 +32,7 @@ struct FoundStep {
 
 /// Whether segments run along most of a segment.
 bool is_covered(const Segment2& segment, const BoxIndex2& index, std::span<const Segment2> by) {
-  // A segment further off is another edge, or one that blurs two.
+  // A segment farther away is another edge, or a blur of two edges.
   constexpr double kBeside_px = 0.6;
   constexpr double kMaxSlope = 0.15;
   constexpr double kMaxCoveredShare = 0.5;  // share of the segment
@@ -65,7 +65,7 @@ std::vector<char> has_counterpart(const StereoPair& pair,
   return has;
 }
 
-/// The steps to which the unmatched segments of view `from` lead, in their order.
+/// The steps predicted from the unmatched segments of view `from`, in their order.
 std::vector<FoundStep> steps_of(const StereoPair& pair,
                                 const Surface& surface,
                                 std::span<const Correspondence> known,
@@ -106,7 +106,7 @@ View without_segments(const View& view) {
   return {view.id, view.image_from_local, view.image, view.ideal_from_image};
 }
 
-/// Sets the similarity of steps and their guides by their appearance.
+/// Sets the similarity of steps to their guides from their appearance.
 void compare(const StereoPair& pair,
              std::size_t from,
              const GuideOptions& options,

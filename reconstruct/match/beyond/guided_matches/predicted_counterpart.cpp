@@ -27,8 +27,8 @@ double mean_of(const cv::Mat& disparity_px) {
 }
 
 /// The disparities by the pixels of the right view. If two surfaces fall on one of its pixels, the
-/// nearer one hides the other. It has the larger disparity, so that it comes from a later column
-/// and overwrites the other.
+/// nearer one hides the other: it has the larger disparity, so it comes from a later column and
+/// overwrites the other.
 /// @param moved_px  shift of those pixels along the rows
 cv::Mat seen_from_right(const cv::Mat& disparity_px, double moved_px) {
   cv::Mat right(disparity_px.size(), CV_32F, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
@@ -56,7 +56,7 @@ PredictedCounterpart::PredictedCounterpart(const Surface& surface, std::size_t f
 }
 
 std::optional<Segment2> PredictedCounterpart::of(const Segment2& segment) const {
-  constexpr double kMinSine = 0.17;  // least sine of the angle to the rows
+  constexpr double kMinSine = 0.17;  // minimum sine of the angle to the rows
   const Eigen::Vector2d moved(moved_px_, 0.0);
   const Segment2 rectified{surface_.rectification.rectified(from_, segment.start) + moved,
                            surface_.rectification.rectified(from_, segment.end) + moved};

@@ -16,10 +16,10 @@ constexpr double kOffsetStep_px = 0.25;  // spacing of the offsets across the li
 constexpr int kMaxOffsetSteps = 8;       // in offset steps: 2 px
 constexpr int kReach = 10;               // reach of the derivative, in offset steps
 constexpr double kSmoothing_px = 0.8;
-constexpr double kExpected_px = 0.5;      // sigma of the place of a line that a surface predicts
+constexpr double kExpected_px = 0.5;      // sigma of the position of a line predicted by a surface
 constexpr double kMinSignificance = 3.5;  // in standard deviations
-constexpr double kTogether_px = 2.8;      // pixels along a line that err together
-constexpr int kWindow_px = 2;             // pixels along the line, to both sides
+constexpr double kTogether_px = 2.8;      // pixels along a line with a common error
+constexpr int kWindow_px = 2;             // pixels along the line, in both directions
 constexpr int kStray = 4;                 // largest offset from the mean line, in steps: 1 px
 constexpr double kMinStrength = 0.5;      // share of the mean step
 constexpr double kMinTraceFill = 0.75;    // share of the line
@@ -31,7 +31,7 @@ constexpr int kSamples = kOffsets + 2 * kReach;
 /// Gradient across the line, per band and offset.
 using Gradients = Eigen::Matrix<double, kMaxBands, kOffsets>;
 
-/// Derivatives, by a Gaussian, of samples across the line.
+/// Matrix of Gaussian derivatives of samples across the line.
 Eigen::Matrix<double, kSamples, kOffsets> derivative() {
   Eigen::Matrix<double, kSamples, kOffsets> by = Eigen::Matrix<double, kSamples, kOffsets>::Zero();
   Eigen::Matrix<double, 2 * kReach + 1, 1> weights;
@@ -47,7 +47,7 @@ Eigen::Matrix<double, kSamples, kOffsets> derivative() {
   return by;
 }
 
-/// The gradients at every pixel along a line that lies inside of the image.
+/// The gradients at every pixel along a line that lies inside the image.
 struct LineGradients {
   std::vector<double> t_px;
   std::vector<Gradients> across;
@@ -79,7 +79,7 @@ bool is_peak(const Eigen::Matrix<double, 1, kOffsets>& values, int i) {
   return i > 0 && i + 1 < kOffsets && values[i] >= values[i - 1] && values[i] > values[i + 1];
 }
 
-/// The offset of the step that is the expected line; nothing if there is none.
+/// The offset of the step at the expected line; empty if there is none.
 std::optional<int> expected_step(const LineGradients& line, const Gradients& mean) {
   const auto n = static_cast<double>(line.across.size());
   Eigen::Matrix<double, 1, kOffsets> squares = Eigen::Matrix<double, 1, kOffsets>::Zero();
@@ -101,7 +101,7 @@ std::optional<int> expected_step(const LineGradients& line, const Gradients& mea
   return best;
 }
 
-/// The strong enough peak that is nearest to an offset.
+/// The sufficiently strong peak nearest to an offset.
 std::optional<int> nearest_peak(const Eigen::Matrix<double, 1, kOffsets>& strength,
                                 int at,
                                 double least) {

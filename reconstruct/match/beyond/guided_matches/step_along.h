@@ -9,14 +9,14 @@
 
 namespace ridgeline::reconstruct {
 
-/// The step of colour beside an expected line. The gradient across the line is averaged along it.
-/// This shows a step that is too weak for single pixels or lies two pixels beside a stronger one.
-/// Each peak of the mean within 2 px is a step if it is significant: 3.5 standard deviations, by
-/// the scatter along the line. The most significant one is taken, weighted down by its distance
-/// from the line (standard deviation 0.5 px), and followed with a window of 5 px.
+/// The colour step near an expected line. The gradient across the line is averaged along it. This
+/// reveals a step that is too weak in single pixels or lies two pixels beside a stronger one. A
+/// peak of the mean within 2 px is a step if it is significant: 3.5 standard deviations, estimated
+/// from the scatter along the line. The most significant one, weighted down by its distance from
+/// the line (standard deviation 0.5 px), is taken and followed with a window of 5 px.
 /// @param expected  in pixels of the file; the result has the same direction
-/// Nothing if there is no step, if less than three quarters of the line follow it, or if the line
-/// is shorter than 10 px.
+/// Empty if there is no step, if less than three quarters of the line follow it, or if the line is
+/// shorter than 10 px.
 std::optional<EdgeTrace> step_along(const ImageSampler& image, const Segment2& expected);
 
 }  // namespace ridgeline::reconstruct

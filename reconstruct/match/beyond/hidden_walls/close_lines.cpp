@@ -16,10 +16,10 @@ namespace {
 constexpr double kClose_px = 4.5;
 constexpr double kParallel_deg = 8.0;
 constexpr double kMinOverlap = 0.6;   // share of the shorter line
-constexpr double kMinCoverage = 0.5;  // share of the line; a fragment beside it tells little
+constexpr double kMinCoverage = 0.5;  // share of the line; a fragment beside it proves little
 
-/// Signed distance of b from a, in the middle of what they have in common; nothing if b does not
-/// run along a.
+/// Signed distance of b from a, in the middle of their common part; empty if b does not run along
+/// a.
 std::optional<double> offset_px(const Segment2& a, const Segment2& b) {
   if (acute_angle_rad(a, b) > kParallel_deg * kRadPerDeg) return std::nullopt;
   const double len = length(a);

@@ -10,10 +10,10 @@
 
 namespace ridgeline::reconstruct {
 
-/// A line that runs beside another one at a few pixels.
+/// A line that runs alongside a segment at a distance of a few pixels.
 struct CloseLine {
   int id = 0;
-  Eigen::Vector2d towards;  ///< unit normal of the line, to the side on which the other one is
+  Eigen::Vector2d towards;  ///< unit normal of the segment, pointing to the side of this line
   double distance_px = 0.0;
 };
 

@@ -41,7 +41,7 @@ double mean_height_m(const Candidate& candidate) {
   return 0.5 * (candidate.overlap.height_m[0] + candidate.overlap.height_m[1]);
 }
 
-/// How a point of an image moves as it rises by a metre; zero in the nadir.
+/// The shift of a point in an image when it rises by a metre; zero at the nadir.
 Eigen::Vector2d px_per_m_up(const StripPair& pair,
                             int image,
                             const Eigen::Vector2d& x_px,
@@ -61,12 +61,11 @@ bool is_below(const Eigen::Vector2d& px_per_m_up, const CloseLine& other) {
   return px_per_m_up.dot(other.towards) * kMaxHeight_m > other.distance_px;
 }
 
-/// Whether a segment has such a strip of its own: a line close by on the same side, far enough
-/// away.
+/// Whether a segment has such a strip of its own: a close line on the same side, far enough away.
 bool shows_strip(const std::vector<CloseLine>& beside,
                  const Eigen::Vector2d& towards,
                  double width_px) {
-  // share of the width in the other image; a gutter is no wall
+  // share of the width in the other image; a gutter is not a wall
   constexpr double kMinWidthShare = 0.4;
   return std::ranges::any_of(beside, [&](const CloseLine& line) {
     return line.towards.dot(towards) > 0.0 && line.distance_px > kMinWidthShare * width_px;
@@ -119,9 +118,9 @@ int side_of(const EdgeSegment& edge, const Eigen::Vector2d& towards) {
 
 Flank& flank(EdgeSegment& edge, int side) { return side == 0 ? edge.left : edge.right; }
 
-/// The upper candidate with the strip cut out: on the side of the strip it looks as the lower
-/// candidate does beyond the strip. It has no profile across the line, because none can be made
-/// that way.
+/// The upper candidate with the strip cut out: on the side of the strip, it has the appearance of
+/// the lower candidate beyond the strip. It has no profile across the line, because none can be
+/// formed this way.
 Candidate across(const HiddenStrip& strip, const StripPair& pair) {
   EdgeAppearance appearance;
   const int above = side_of(pair.segment(0, strip.upper[0]), strip.towards_upper[0]);
@@ -160,7 +159,7 @@ std::vector<HiddenStrip> hidden_strips(const StripPair& pair, const Candidates& 
 void compare_across_hidden_strips(const SearchedPair& views,
                                   const Radiometry& radiometry,
                                   Candidates& candidates) {
-  constexpr double kMinRatio = 0.8;  // similarity of the upper edge over that of the lower one
+  constexpr double kMinRatio = 0.8;  // ratio of the upper edge's similarity to the lower one's
   const StripPair pair{
       views,
       radiometry,

@@ -10,11 +10,11 @@ namespace ridgeline::reconstruct {
 ///
 /// The upper edge of a wall appears farther from the nadir than its lower edge. The camera that
 /// faces the wall sees both edges a few pixels apart. The other camera sees the upper edge only,
-/// with the ground where the wall would be. The *lower* edge then looks more like this edge than
-/// the upper one does, because the ground is beside both. So, if both edges of a strip have the
-/// same counterpart and the image of the counterpart shows no such strip, the upper edge is
-/// compared again with the strip cut out: on the side of the strip, what lies beyond the lower edge
-/// counts. If the upper edge is then about as similar as the lower edge, the upper edge keeps the
+/// with the ground where the wall would be. The *lower* edge then resembles this edge more than the
+/// upper one does, because the ground is beside both. So, if both edges of a strip have the same
+/// counterpart and the image of the counterpart shows no such strip, the upper edge is compared
+/// again with the strip cut out: on the side of the strip, the image beyond the lower edge is
+/// compared. If the upper edge is then about as similar as the lower edge, the upper edge keeps the
 /// better similarity and the lower edge loses the candidate.
 void compare_across_hidden_strips(const SearchedPair& views,
                                   const Radiometry& radiometry,

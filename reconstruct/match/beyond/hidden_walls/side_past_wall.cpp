@@ -37,11 +37,12 @@ class LoweredStrips {
                 sample_strip(images.right, frame_.on_right, side_in_right_, kGrid)};
   }
 
-  /// Width in pixels of the wall that one of the images shows, per metre of its height.
+  /// Width in pixels of the wall in the image that shows it, per metre of its height.
   [[nodiscard]] double wall_px_per_m() const { return std::abs(right_px_per_m_); }
 
-  /// How alike both images show the strip on a level surface that much below the edge. The image
-  /// that faces the wall shows the strip beyond the wall; the other one shows it beside the edge.
+  /// The similarity of both images of the strip on a level surface at this depth below the edge.
+  /// The image that faces the wall shows the strip beyond the wall; the other one shows it beside
+  /// the edge.
   [[nodiscard]] std::optional<SideAppearance> look_at(double drop_m) const {
     const Eigen::Vector2d shift_px = -drop_m * transfer_.per_height;
     if (right_px_per_m_ > 0.0) {
@@ -71,11 +72,11 @@ void appearance_past_wall(const ImagePair& images,
                           const LocalTransfer& transfer,
                           double most_drop_m,
                           EdgeAppearance& appearance) {
-  constexpr double kMaxAgreement = 0.8;     // a side that agrees more (2 at most) needs no wall
+  constexpr double kMaxAgreement = 0.8;     // a side that agrees better (at most 2) needs no wall
   constexpr double kMinWidth_px = 2.0;      // width of a wall, across the line
   constexpr double kMaxParallax_px = 36.0;  // largest parallax of the wall
   constexpr double kStep_px = 1.5;          // step of the parallax between two heights
-  // The best of many heights looks better by this, even if none of them is right.
+  // The best of many heights appears better by this much even if none of them is correct.
   constexpr SideAppearance kByChance{0.2, 0.012};
   if (!appearance.sides[0] || !appearance.sides[1]) return;
   const int worse = appearance.sides[0]->agreement() < appearance.sides[1]->agreement() ? 0 : 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report of a block: what it is, its figures, its plan, and where it is worst.
+// The report of a block: its description, its figures, its plan, and its worst patches and lines.
 import { halfSentence, headline, ofPlace, placeSentence } from '../data/product';
 import { h, replace, tabs } from '../ui/dom';
 import { fixed, interval, metres, percent, words } from '../ui/format';
@@ -62,7 +62,7 @@ export class BlockPage {
       h('div', {}, h('strong', {}, 'RMS distance of the lines from LIDAR planes'), h('p', { class: 'caption' }, `${about.filter((t) => t !== null).join('; ')}.`)));
   }
 
-  /** The sentence for a reader in a hurry. */
+  /** One sentence that names the worst patches. */
   private whereItIsBad(): HTMLElement | null {
     const judged = this.done.filter((p) => p.figures[this.method]!.rms_m !== null).sort((a, b) => b.figures[this.method]!.rms_m! - a.figures[this.method]!.rms_m!);
     if (judged.length === 0) return null;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Legends with numbers: the shades with the patches that have them, and the colours of lines.
+// The legends: the shades, each with its number of patches, and the colours of lines.
 import { distanceSteps, okabeIto } from '../data/colours';
 import { h } from '../ui/dom';
 import { svg } from '../ui/svg';
@@ -38,7 +38,7 @@ function swatch(colour: string, text: string): HTMLElement {
   return h('span', { class: 'legend-item' }, mark, text);
 }
 
-/** `from_m`: the least distance that is drawn; null if all lines are. */
+/** `from_m`: the smallest distance that is drawn; null if all lines are drawn. */
 export const lineLegend = (from_m: number | null): HTMLElement => h('p', { class: 'legend' },
   ...distanceSteps.filter((s) => from_m === null || s.upTo_m > from_m).map((s, i) => swatch(s.colour, from_m !== null && i === 0 ? `${from_m.toFixed(2)} – ${s.upTo_m} m` : s.text)),
   from_m === null ? swatch(okabeIto.grey, 'not judged') : null);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report of a block, and the page of one of its patches: the data say which.
+// Shows the report of a block or the page of one of its patches, depending on the data.
 import { readData } from '../data/decode';
 import { append, h } from '../ui/dom';
 import { BlockPage } from './block_page';

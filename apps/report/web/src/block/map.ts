@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sheet that plans are drawn on: north is up, all layers cover the same box, points and lines
-// are pictures, the rest is SVG.
+// The sheet on which plans are drawn: north is up, and all layers cover the same box. Points and
+// lines are drawn on canvases, the rest is SVG.
 import { distanceSteps, isDark, okabeIto } from '../data/colours';
 import { uint16, uint8 } from '../data/decode';
 import { h } from '../ui/dom';
@@ -9,12 +9,12 @@ import { roundLength } from '../ui/round_length';
 import type { Box, PlanLines, Relief, Steps } from './schema';
 
 const notJudged = 65535;
-const sharpness = 2; // pixels of a canvas by unit of the drawing
+const sharpness = 2; // canvas pixels per unit of the drawing
 
 export class Sheet {
   readonly width: number;
   readonly height: number;
-  readonly scale: number; // units of the drawing by metre
+  readonly scale: number; // units of the drawing per metre
   readonly relief: HTMLCanvasElement;
   readonly lines: HTMLCanvasElement;
   readonly drawing: SVGElement;
@@ -53,8 +53,7 @@ export class Sheet {
     return (numbers, i) => this.at(x + dx * numbers[i]!, y + dy * numbers[i + 1]!);
   }
 
-  /** Points as grey squares that are as large as the points lie apart. Null leaves the sheet blank.
-   */
+  /** Draws points as grey squares as large as the spacing of the points; null draws none. */
   drawRelief(relief: Relief | null): void {
     const context = this.contextOf(this.relief);
     if (!relief) return;
@@ -71,7 +70,8 @@ export class Sheet {
     });
   }
 
-  /** Lines from a distance on, the worst on top; null: lines that are not judged as well. */
+  /** Draws the lines with distances above `from_m`, the worst on top; if it is null, all lines,
+   * including those not judged. */
   drawLines(lines: PlanLines | null, from_m: number | null, width: number): void {
     const context = this.contextOf(this.lines);
     if (!lines) return;
@@ -97,14 +97,14 @@ export class Sheet {
       const least = above;
       if (from_m === null || upTo > 1000 * from_m) {
         const has = (mm: number): boolean => mm <= upTo && (mm > least || least === 0);
-        if (from_m !== null) draw('#ffffff', 2 * width, has); // a seam, for dark squares
+        if (from_m !== null) draw('#ffffff', 2 * width, has); // a white seam, for dark squares
         draw(step.colour, width, has);
       }
       above = upTo;
     }
   }
 
-  /** Scale bar and north arrow, to stand under the sheet. */
+  /** Scale bar and north arrow, to be placed below the sheet. */
   foot(): HTMLElement {
     const length_m = roundLength(0.25 * (this.box[2] - this.box[0]));
     const bar = length_m * this.scale;

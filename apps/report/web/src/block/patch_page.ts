@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The page of one patch: its lines in plan and in a table, and what it was made of.
+// The page of one patch: its lines in plan and in a table, and the data used.
 import { distanceSteps, okabeIto, selectionColour } from '../data/colours';
 import { append, h, replace, tabs } from '../ui/dom';
 import { fixed, metres, percent, words } from '../ui/format';
@@ -46,7 +46,7 @@ export class PatchPage {
     this.show();
   }
 
-  /** The square, and what its lines reach beyond it, within the area that was searched. */
+  /** The square, extended to lines that reach beyond it, within the area that was searched. */
   private box(lines: readonly LineRow[]): Box {
     const { core, area } = this.report;
     const margin = 3;
@@ -85,7 +85,7 @@ export class PatchPage {
     const [left, top] = sheet.at(report.core[0], report.core[3]);
     const [right, bottom] = sheet.at(report.core[2], report.core[1]);
     sheet.drawing.append(svg('rect', { x: left, y: top, width: right - left, height: bottom - top, class: 'core' }));
-    // the worst are drawn last, over the others
+    // the worst are drawn last, on top of the others
     for (const line of [...lines].sort((a, b) => (distanceOf(a) ?? -1) - (distanceOf(b) ?? -1))) {
       const isJudged = distanceOf(line) !== null;
       const [a, b] = [sheet.at(line[8], line[9]), sheet.at(line[11], line[12])];

@@ -9,7 +9,7 @@ import { figuresOf, type Figure } from './shades';
 import { Squares } from './squares';
 
 const grossFrom_m = 0.3;
-const leastForLines = 40; // units of the drawing: on smaller squares lines hide the shades
+const leastForLines = 40; // units of the drawing: on smaller squares, lines hide the shades
 type LinesShown = 'none' | 'gross' | 'all';
 
 function boxOf(report: BlockReport): Box {
@@ -58,7 +58,7 @@ export class BlockPlan {
     this.draw();
   }
 
-  /** Draws everything again; also after a change of the theme. */
+  /** Redraws everything; also called after a change of theme. */
   draw(): void {
     const { lines } = this.report.methods[this.method]!;
     const from_m = this.lines === 'all' ? null : grossFrom_m;

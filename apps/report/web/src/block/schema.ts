@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What apps/report/block/block_json.cpp writes. Lengths in metres; plan coordinates are relative to
-// `origin_m`.
+// The data written by apps/report/block/block_json.cpp. Lengths are in metres; plan coordinates are
+// relative to `origin_m`.
 import type { Report, Table2Row } from '../data/schema';
 
 export type Box = [left: number, bottom: number, right: number, top: number];
 
-/** What became of a patch by one method. */
+/** The results of one method on a patch. */
 export interface Figures {
   n_lines: number;
   n_evaluated: number;
@@ -21,12 +21,12 @@ export interface PatchRow {
   square: [column: number, row: number];
   core: Box;
   n_images: number;
-  /** Why the patch has no lines; empty if it is done. */
+  /** Why the patch has no lines; empty if it is finished. */
   reason: string;
-  figures: Figures[]; // of each method
+  figures: Figures[]; // one per method
 }
 
-/** Least coordinates and lengths of a step of 16-bit numbers. */
+/** The smallest coordinates and the step lengths of 16-bit numbers. */
 export type Steps = [x: number, y: number, dx: number, dy: number];
 
 export interface PlanLines {
@@ -50,7 +50,7 @@ export interface WorstLine {
   n_images: number;
 }
 
-/** LIDAR points; heights from low_m to high_m are greys from 0 to 255. */
+/** LIDAR points; heights from low_m to high_m are mapped to greys from 0 to 255. */
 export interface Relief {
   n_shown: number;
   steps: Steps;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The figures that a plan of patches can show, and the shade of each value. Limits are fixed, so
-// that blocks can be compared. The shades (ColorBrewer's YlGnBu) grow darker step by step: the
-// colour-blind and a printer without colours tell them apart.
+// that blocks can be compared. The shades (ColorBrewer's YlGnBu) become darker step by step, so
+// that they can be distinguished by colour-blind readers and in print without colour.
 import { fixed, metres, missing, percent } from '../ui/format';
 import type { Figures } from './schema';
 
@@ -12,14 +12,15 @@ export interface Figure {
   key: string;
   name: string;
   unit: string;
-  /** Limits of the shades, from pale to dark. Shares fall, all others grow. */
+  /** Limits of the shades, from pale to dark: decreasing for shares, increasing for all other
+   * figures. */
   limits: readonly number[];
   falls?: boolean;
-  /** What dark means. */
+  /** The meaning of dark shades. */
   dark: string;
   value: (f: Figures) => number | null;
   text: (value: number | null) => string;
-  /** For the inside of a square. */
+  /** The text inside a square. */
   short: (value: number) => string;
 }
 
@@ -27,7 +28,7 @@ const share = (n: number, of: number): number | null => (of > 0 ? n / of : null)
 const shares = { unit: '%', limits: [0.95, 0.9, 0.8, 0.7, 0.6, 0.4], falls: true, dark: 'Darker is worse.', text: percent, short: (v: number) => fixed(100 * v, 0) } as const;
 const lengths = { unit: 'm', dark: 'Darker is worse.', text: metres, short: (v: number) => fixed(v, v < 0.0995 ? 3 : 2) } as const;
 
-/** Limits of a count, at round numbers. */
+/** Limits for a count, at round numbers. */
 function countLimits(most: number): number[] {
   const sixth = Math.max(most / 7, 1);
   const power = 10 ** Math.floor(Math.log10(sixth));
@@ -35,7 +36,7 @@ function countLimits(most: number): number[] {
   return [1, 2, 3, 4, 5, 6].map((k) => k * step);
 }
 
-/** The figures that these rows have. */
+/** The figures available in these rows. */
 export function figuresOf(rows: readonly Figures[]): Figure[] {
   const most = rows.reduce((m, f) => Math.max(m, f.n_lines), 0);
   const all: Figure[] = [
@@ -66,7 +67,7 @@ export function shadeText(figure: Figure, shade: number): string {
   return `${falls ? `${of(shade)} – ${of(shade - 1)}` : `${of(shade - 1)} – ${of(shade)}`} ${unit}`.trim();
 }
 
-/** What a square is that has no value: it is marked by a pattern, never by a colour alone. */
+/** The state of a square without a value, which is marked by a pattern, never by colour alone. */
 export type State = 'failed' | 'empty' | 'none';
 export const stateText: Record<State, string> = { failed: 'failed', empty: 'no lines', none: 'no figure' };
 

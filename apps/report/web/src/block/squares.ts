@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The squares of the patches: each is a link to its page. Shades show a figure, patterns what has
-// none; arrow keys go from square to square.
+// The squares of the patches, each a link to the page of its patch. Shades show a figure, patterns
+// mark squares without one; the arrow keys move from square to square.
 import { replace } from '../ui/dom';
 import { svg } from '../ui/svg';
 import type { Sheet } from './map';
@@ -28,8 +28,8 @@ export class Squares {
     sheet.drawing.addEventListener('pointerleave', () => onPoint(null));
   }
 
-  /** `asFrames`: the shades stand at the rims, so that what lies under and over the squares can be
-   * seen. */
+  /** `asFrames`: only the rims are shaded, so that the points and lines in the squares remain
+   * visible. */
   show(figure: Figure, method: number, asFrames: boolean): void {
     this.links.length = 0;
     replace(this.sheet.drawing, patterns(), ...this.patches.map((patch, i) => this.square(patch, i, figure, method, asFrames)));
@@ -60,8 +60,7 @@ export class Squares {
     return link;
   }
 
-  /** A finger has no way to point: its first tap shows the figures, the second one opens the page.
-   */
+  /** A touch screen has no pointer: the first tap shows the figures, the second opens the page. */
   private onClick(event: PointerEvent, i: number): void {
     if (event.pointerType === 'touch' && this.tapped !== i) event.preventDefault();
     this.tapped = i;
@@ -83,7 +82,7 @@ export class Squares {
     this.links[next]!.focus();
   }
 
-  /** The next square in a direction; squares may be missing between. */
+  /** The next square in a direction; squares in between may be missing. */
   private nextOf([column, row]: readonly [number, number], step: readonly [number, number]): number | undefined {
     const most = this.patches.reduce((m, p) => Math.max(m, Math.abs(p.square[0] - column), Math.abs(p.square[1] - row)), 0);
     for (let k = 1; k <= most; ++k) {

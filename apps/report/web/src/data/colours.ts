@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Okabe and Ito's colours, which the colour-blind tell apart; figure_colours.h has the same for the
-// PNG figures. Colour never stands alone: classes also differ by dashes, statuses by words.
+// Okabe and Ito's colours, which colour-blind readers can distinguish; figure_colours.h has the
+// same ones for the PNG figures. Nothing is shown by colour alone: classes also differ by dashes,
+// statuses by words.
 import type { Line } from './schema';
 
 export const okabeIto = {
@@ -44,7 +45,7 @@ const statusColours: Record<string, string> = {
 };
 export const statusColour = (status: string): string => statusColours[status] ?? okabeIto.skyBlue;
 
-/** Steps of the distance colours, metres; the last one is without limit. */
+/** Steps of the distance colours, metres; the last one has no limit. */
 export const distanceSteps: readonly { upTo_m: number; colour: string; text: string }[] = [
   { upTo_m: 0.05, colour: okabeIto.blue, text: 'up to 0.05 m' },
   { upTo_m: 0.1, colour: okabeIto.skyBlue, text: 'up to 0.10 m' },
@@ -59,17 +60,17 @@ export function distanceColour(line: Line): string {
   return distanceSteps.find((step) => d <= step.upTo_m)?.colour ?? okabeIto.grey;
 }
 
-/** The colour of what is selected; no line or plane has it otherwise. */
+/** The colour of the selection; no other line or plane has it. */
 export const selectionColour = '#e6007e';
 
-/** Colours of planes: neighbours in the list are far apart, and the largest plane, mostly the
- * ground, is grey. They are pale, so that no plane has the colour of a line; write_results.cpp has
- * the same. The deep ones are for small drawings on white. */
+/** Colours of planes: neighbours in the list differ strongly, and the largest plane, usually the
+ * ground, is grey. The colours are pale, so that no plane has the colour of a line;
+ * write_results.cpp has the same ones. The deep palette is for small drawings on white. */
 const planePalette = ['#b9b1a7', '#c3d3e3', '#e0cfae', '#c5d6b8', '#dfdcb4', '#bfc6dc', '#e0c4bd', '#d9c6d2'] as const;
 const deepPalette = ['#8d857b', '#5f86ad', '#a88a4c', '#6f9356', '#9a9540', '#6470a3', '#ad6c5d', '#97718a'] as const;
 export const planeColour = (index: number, deep = false): string => (deep ? deepPalette : planePalette)[index % planePalette.length]!;
 export const noPlaneColour = (): string => (isDark() ? '#8a8d92' : '#c9c9c9');
 
 /** The colour of a point of the surface, from the lowest (0) to the highest (1): violet, which no
- * plane and no line has. */
+ * plane or line has. */
 export const surfaceColour = (height: number): string => `hsl(260, ${48 + 22 * height}%, ${58 + 20 * height}%)`;

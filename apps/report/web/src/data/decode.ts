@@ -12,7 +12,7 @@ export const float32 = (base64: string): Float32Array<ArrayBuffer> => new Float3
 export const uint8 = (base64: string): Uint8Array<ArrayBuffer> => new Uint8Array(bytesOf(base64));
 export const uint16 = (base64: string): Uint16Array<ArrayBuffer> => new Uint16Array(bytesOf(base64));
 
-/** The data of the page; throws if this front end does not know its form. */
+/** The data of the page; throws if this front end does not support its schema. */
 export function readData<Data extends { schema: number }>(schema: number): Data {
   const text = document.getElementById('report-data')?.textContent;
   if (!text) throw new Error('the page has no data');
@@ -23,7 +23,7 @@ export function readData<Data extends { schema: number }>(schema: number): Data 
 
 export const readReport = (): Report => readData<Report>(2);
 
-/** 53-bit hash (cyrb53), to tell one data set from another; not for security. */
+/** 53-bit hash (cyrb53), to distinguish data sets; not for security. */
 export function hash53(parts: readonly string[]): string {
   let a = 0xdeadbeef;
   let b = 0x41c6ce57;

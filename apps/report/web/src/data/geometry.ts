@@ -15,9 +15,9 @@ const cross = (a: Triple, b: Triple): Triple =>
   [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const dot = (a: Triple, b: Triple): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
-/** The line in the image of camera P that points on the ray of pixel x of camera Q are seen on: the
- * join of the images of Q's centre -M^-1 q and of the ray's direction M^-1 x, for Q = [M | q]. Both
- * cameras are stored row by row. */
+/** The line in the image of camera P on which points on the ray of pixel x of camera Q appear: the
+ * join of the images of Q's centre -M^-1 q and of the ray's direction M^-1 x, where Q = [M | q].
+ * Both cameras are stored row by row. */
 export function epipolarLine(P: readonly number[], Q: readonly number[], x: Point2): LineCoefficients {
   const column = (c: number): Triple => [Q[c]!, Q[4 + c]!, Q[8 + c]!];
   const [a, b, c, q] = [column(0), column(1), column(2), column(3)];

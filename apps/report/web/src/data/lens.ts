@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The distortion of a lens: from ideal pixels, in which lines in space are straight, to those of
-// the picture and back.
+// Lens distortion: conversion between ideal pixels, in which lines in space are straight, and
+// pixels of the picture.
 import type { LineCoefficients, Point2 } from './geometry';
 import { clipToBox } from './geometry';
 import type { ImageSegment, Lens } from './schema';
 
-/** The part of a picture in ideal pixels. */
+/** A box in ideal pixels: left, top, right, bottom. */
 export type Box = [number, number, number, number];
 
-/** Where the picture shows an ideal pixel (Brown 1971, as docs/patch-file.md states it). */
+/** The position of an ideal pixel in the picture (Brown 1971, as defined in docs/patch-file.md). */
 export function distorted(lens: Lens | null, x: Point2): Point2 {
   if (!lens) return x;
   const [fx, fy, cx, cy, k1, k2, k3, p1, p2] = lens;
@@ -21,8 +21,8 @@ export function distorted(lens: Lens | null, x: Point2): Point2 {
   ];
 }
 
-/** The ideal pixel of one of the picture, by iteration: good to a thousandth of a pixel within the
- * field of a lens. */
+/** The ideal pixel of a pixel of the picture, by iteration; accurate to a thousandth of a pixel
+ * within the field of view of a lens. */
 export function undistorted(lens: Lens | null, x: Point2): Point2 {
   if (!lens) return x;
   let ideal = x;
@@ -35,8 +35,8 @@ export function undistorted(lens: Lens | null, x: Point2): Point2 {
   return ideal;
 }
 
-/** The box of ideal pixels around all that a picture shows. Farther out the polynomials mean
- * nothing. */
+/** The box of ideal pixels around everything that a picture shows. Farther out, the polynomials are
+ * meaningless. */
 export function idealBox(lens: Lens | null, width: number, height: number): Box {
   const border: Point2[] = [];
   const n = 16;
@@ -66,7 +66,7 @@ export function clipLine([a, b, c]: LineCoefficients, [left, top, right, bottom]
   return part && [part[0] + left, part[1] + top, part[2] + left, part[3] + top];
 }
 
-/** The curve in the picture of a segment of ideal pixels. */
+/** The curve in the picture that corresponds to a segment in ideal pixels. */
 export function curveOf(lens: Lens | null, [x1, y1, x2, y2]: ImageSegment): Point2[] {
   if (!lens) return [[x1, y1], [x2, y2]];
   const n = Math.min(64, Math.max(2, Math.ceil(Math.hypot(x2 - x1, y2 - y1) / 25)));

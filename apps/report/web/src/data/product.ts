@@ -15,34 +15,34 @@ export function productRows(report: Report): Table2Row[] {
   });
 }
 
-/** Whether a further image should show the line and does not. */
+/** Whether a further image should show the line but does not. */
 export const isUnconfirmed = (line: Line): boolean => line.construction === 'unconfirmed' || line.status === 'unconfirmed';
 
-/** The figures of the lines on whose surface plan and images decided. */
+/** The figures of the lines whose surface was decided by plan and images. */
 export const headline = (of: ClassSummary): Summary => of.decided_by?.plan_images ?? of;
 
-/** Those of the lines on which points or their place decided; null if there are none. */
+/** The figures of the lines decided by points or their own place; null if there are none. */
 export function ofPlace(of: ClassSummary): Summary | null {
   const figures = of.decided_by?.points_place;
   return figures && figures.n_evaluated > 0 ? figures : null;
 }
 
-/** The rows that a class has in a table, the headline first. */
+/** The rows of a class in a table, the headline first. */
 export function rowsOf(name: string, of: ClassSummary): { name: string; figures: Summary }[] {
   const place = ofPlace(of);
   if (!place) return [{ name, figures: of }];
   return [{ name: `${name} plan_images`, figures: headline(of) }, { name: `${name} points_place`, figures: place }, { name: `${name} all`, figures: of }];
 }
 
-/** The lines beside the headline. */
+/** A sentence about the lines not in the headline. */
 export const placeSentence = (of: { n: number; rms_m: number | null }): string =>
   `${of.n} more ${of.n === 1 ? 'line' : 'lines'} decided by points or position, RMS ${metres(of.rms_m)} m`;
 
-/** How few lines make a figure what it is. */
+/** States how few lines dominate a figure. */
 export const halfSentence = (of: Summary): string =>
   `${of.n_half_of_squares} of ${of.n_evaluated} lines contribute half of the sum of squares; RMS of the others ${metres(of.rms_without_half_m)} m`;
 
-/** The judged lines of the headline that are farthest off, each with its index. */
+/** The lines of the headline that are farthest off, each with its index. */
 export function worstLines(lines: readonly Line[], n: number): { line: Line; index: number }[] {
   const isOfHeadline = (line: Line): boolean => line.mean_distance_m !== null && line.decided_by !== 'points' && line.decided_by !== 'place';
   return lines.map((line, index) => ({ line, index })).filter(({ line }) => isOfHeadline(line))

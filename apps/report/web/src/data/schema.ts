@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What apps/report/report_json.cpp writes. Lengths in metres, coordinates local to the patch's
-// origin, image coordinates in pixels with (0, 0) in the centre of the top-left pixel.
+// The data written by apps/report/report_json.cpp. Lengths are in metres, coordinates relative to
+// the patch's origin, image coordinates in pixels with (0, 0) in the centre of the top-left pixel.
 
 export type Triple = [number, number, number];
 export type ImageSegment = [number, number, number, number];
@@ -28,8 +28,8 @@ export interface Summary {
   gross_share: number | null;
   n_outliers: number;
   rms_without_outliers_m: number | null;
-  /** How many lines, those farthest off, make half of the sum of squares, and the RMS of the
-   * others; not in tables of older versions. */
+  /** How many of the lines farthest off contribute half of the sum of squares, and the RMS of the
+   * others; missing in tables of older versions. */
   n_half_of_squares?: number;
   rms_without_half_m?: number | null;
   /** Number of ridges and hips with horizontal and vertical parts. */
@@ -39,8 +39,7 @@ export interface Summary {
   mean_vertical_m: number | null;
 }
 
-/** The figures of all judged lines of a class; tables of older versions do not tell by what they
- * were decided. */
+/** The figures of all judged lines of a class; tables of older versions have no `decided_by`. */
 export interface ClassSummary extends Summary {
   decided_by?: { plan_images: Summary; points_place: Summary };
 }
@@ -66,7 +65,7 @@ export interface Table1Row {
   quality_ci95: [number, number] | null;
 }
 
-/** Tracks against the true edges of a class that a number of images show; `n_images` null: all. */
+/** Tracks compared with the true edges of a class that `n_images` images show; null: all edges. */
 export interface TrackCell {
   class: string;
   n_images: number | null;
@@ -112,7 +111,7 @@ export interface IsoMeasure {
   n: number;
 }
 
-/** The figures of one class in the terms of standards. */
+/** The figures of one class as defined by standards. */
 export interface Standards {
   asprs: {
     n: number;
@@ -152,10 +151,10 @@ export interface LinePlane {
   mean_distance_m: number | null;
 }
 
-/** Image, number of the segment in it, ends as the line was made from them. */
+/** Image, number of the segment in it, and its ends as used to reconstruct the line. */
 export type LineObservation = [view: number, segment: number | null, px: ImageSegment | null];
 
-/** apps/report/line_views.h says what the words mean. */
+/** The words are explained in apps/report/line_views.h. */
 export type ViewState = 'agrees' | 'differs' | 'sighted' | 'missing' | 'hidden' | 'border' | 'not_used';
 export type LineInView = [state: ViewState, offset_px?: number, sigma_px?: number];
 
@@ -167,8 +166,8 @@ export interface Line {
   kind: string | null;
   reason?: string;
   flags: string[];
-  /** What it is taken to be an edge of, and next to that, and the evidence that decided; null where
-   * it is not known. */
+  /** The surface that it is assumed to bound, the second most probable one, and the deciding
+   * evidence; null if unknown. */
   surface?: string | null;
   surface_other?: string | null;
   surface_probability?: number | null;
@@ -184,16 +183,16 @@ export interface Line {
   z: number | null;
   displacement?: { horizontal_m: number; vertical_m: number; covariance_m2: [[number, number], [number, number]] } | null;
   height_if_vertical_m?: number | null;
-  /** Where it was judged. */
+  /** Its position when it was judged. */
   start?: Triple;
   end?: Triple;
-  /** Where images show it, if it was moved before it was judged. */
+  /** Its position in the images, if it was moved before it was judged. */
   seen_start?: Triple;
   seen_end?: Triple;
-  /** Its image segments; the first two are of the pair that it was found in. */
+  /** Its image segments; the first two are from the pair in which it was found. */
   observations?: LineObservation[];
-  /** With three images and more, what each image shows of it; null for an image that it does not
-   * lie in. */
+  /** With three or more images, how it appears in each image; null for an image that does not
+   * contain it. */
   views?: (LineInView | null)[];
   construction?: string;
   n_points?: number;
@@ -232,7 +231,7 @@ export interface Building {
   judged_area_m2: number | null;
 }
 
-/** A row of to_fix.csv: a wrong line or building, by what mending it gains. */
+/** A row of to_fix.csv: a wrong line or building, with the gain from correcting it. */
 export interface ToFix {
   what: 'line' | 'building';
   id: string;
@@ -245,7 +244,7 @@ export interface ToFix {
   move_z_m: number | null;
 }
 
-/** Lines that were moved on purpose, by kind and distance: how many of them pass for right ones. */
+/** Deliberately moved lines, by kind and distance: how many of them pass as correct. */
 export interface DecoyFigure {
   kind: string;
   distance_m: number;
@@ -270,7 +269,7 @@ export interface Method {
   lines: Line[];
   planes: Plane[];
   plane_of_point: string;
-  /** Of a model of buildings. */
+  /** Only for a building model. */
   buildings?: Building[];
   to_fix?: ToFix[];
 }
@@ -289,7 +288,7 @@ export interface View {
   lens: Lens | null;
   projection: number[];
   segments: string;
-  /** By the other image: one bit a segment, whether it is aligned with its epipolar line. */
+  /** For each other image: one bit per segment, whether it is aligned with its epipolar line. */
   aligned: string[];
   jpeg: string;
 }
@@ -297,7 +296,7 @@ export interface View {
 export interface Match {
   left: number;
   right: number;
-  /** Of the matcher; a match that is known from a track has none. */
+  /** From the matcher; a match derived from a track has none. */
   score?: number;
   votes?: number;
   verdict?: Verdict;
@@ -318,7 +317,7 @@ export interface Images {
   has_reference: boolean;
   /** The pairs that were matched, the base pair first. */
   pairs: PairOfViews[];
-  /** With three images and more: image, segment, image, segment, ... of each edge. */
+  /** With three or more images: image, segment, image, segment, ... for each edge. */
   tracks: number[][];
   n_unmatched: Record<string, number>;
 }
@@ -330,12 +329,12 @@ export interface PointSet {
   positions: string;
 }
 
-/** Points of the cloud that lines were judged by. */
+/** Points of the cloud against which lines were judged. */
 export interface Points extends PointSet {
   n_read: number;
   n_all: number;
   per_m2: number;
-  /** Null where only the surroundings of lines were read. */
+  /** Null if only the surroundings of lines were read. */
   no_data_share: number | null;
 }
 
@@ -350,8 +349,8 @@ export interface Patch {
   /** The points that dense matching of the two images found. */
   surface: PointSet | null;
   methods: Method[];
-  /** Index of the method, or of the line file, whose lines the run is for; the others are baselines
-   * and never shown first. */
+  /** Index of the method or line file whose lines are the product of the run; the others are
+   * baselines and never shown first. */
   product: number;
 }
 
@@ -385,15 +384,15 @@ export interface Report {
   note: string;
   run: {
     command?: string;
-    /** Texts that the operator wants on top of the page. */
+    /** Texts of the operator for the top of the page. */
     page?: { title?: string; project?: string; operator?: string; date?: string };
     versions?: Record<string, string>;
     options?: Record<string, unknown>;
     inputs?: { role: string; path: string; bytes: number; sha256: string }[];
     warnings?: string[];
-    /** Sentences on what the whole run came to that its tables do not tell. */
+    /** Sentences about the outcome of the whole run that its tables do not show. */
     messages?: string[];
-    /** Of pooled results: the areas that the lines were judged in. */
+    /** Only for pooled results: the areas in which the lines were judged. */
     areas?: JudgedArea[];
   };
   gates: { passed: boolean; gates: GateResult[]; warnings: string[] } | null;
@@ -401,7 +400,7 @@ export interface Report {
   /** Only with reference tracks. */
   table1_tracks?: PatchTracks[];
   table2: Table2Row[];
-  /** Why direct and joint differ on not_aligned lines, where they do by design. */
+  /** Why direct and joint differ on not_aligned lines, if they do so by design. */
   table2_footnote: string | null;
   patches: Patch[];
 }

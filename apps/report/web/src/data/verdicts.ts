@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The verdicts on buildings, the worst first, as the map shows them, and a sentence on
-// each.
+// The verdicts on buildings, the worst first, in the style of the map, and a sentence about each.
 import { metres } from '../ui/format';
 import { okabeIto } from './colours';
 import type { Building } from './schema';
 
 export const verdicts = ['gone', 'changed', 'faces missing', 'shifted', 'too high', 'too low', 'wrong height', 'wrong tilt', 'wrong outline', 'not judged', 'right'];
 
-/** Solid for heights, dashed for what is wrong in plan; map_style.cpp has the same. */
+/** Solid for errors in height, dashed for errors in plan; map_style.cpp has the same styles. */
 const looks: Record<string, { colour: string; dash?: string }> = {
   gone: { colour: okabeIto.purple, dash: '5 3' },
   changed: { colour: okabeIto.purple },
@@ -22,7 +21,7 @@ const looks: Record<string, { colour: string; dash?: string }> = {
 };
 export const lookOf = (verdict: string): { colour: string; dash?: string } => looks[verdict] ?? { colour: okabeIto.grey };
 
-/** Of the lines of a right building; evaluate/faces/limits.h has the same. */
+/** Limit for the lines of a building; kOutlineTolerance_m of evaluate/faces/limits.h. */
 const mostRms_m = 0.3;
 
 /** What is wrong with a building, in one sentence. */
@@ -45,7 +44,7 @@ export function reasonOf(building: Building): string {
   return text[building.verdict] ?? '';
 }
 
-/** Buildings that are wrong, by how far their points are off. */
+/** The wrong buildings, those whose points are farthest off first. */
 export function worstBuildings(buildings: readonly Building[]): Building[] {
   return buildings.filter((b) => b.verdict !== 'right' && b.verdict !== 'not judged').sort((a, b) => (b.points_rms_m ?? 0) - (a.points_rms_m ?? 0));
 }

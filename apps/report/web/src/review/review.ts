@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Matches judged by eye. The state outlives the page in the browser's storage, under a hash of the
-// matches and segments: another run starts afresh.
+// Matches judged by eye. The browser's storage keeps the state when the page is closed, under a
+// hash of the matches and segments, so that another run starts afresh.
 import { hash53 } from '../data/decode';
 import type { Match, PairOfViews } from '../data/schema';
 import type { State } from '../state';
@@ -44,7 +44,7 @@ export class Review {
     return this.images?.pairs[this.state.now.pair] ?? null;
   }
 
-  /** Takes up the review of the pair where it was left. */
+  /** Resumes the review of the pair where it was left. */
   private load(): void {
     this.adding = null;
     this.stored = { verdicts: {}, added: [] };
@@ -56,7 +56,7 @@ export class Review {
       const value: unknown = JSON.parse(localStorage.getItem(this.storageKey) ?? 'null');
       if (isStored(value)) this.stored = value;
     } catch {
-      // the browser gives no storage: the review lasts as long as the page
+      // the browser provides no storage: the review lasts as long as the page
     }
   }
 
@@ -85,7 +85,7 @@ export class Review {
     return this.stored.verdicts[keyOf(match)] ?? null;
   }
 
-  /** The verdict of a match: by eye once a review has begun, else by the reference. */
+  /** The verdict of a match: by eye once a review has begun, otherwise by the reference. */
   verdictOf(match: Match): string {
     if (this.hasBegun || this.isActive) return this.eyeVerdict(match) ?? 'unjudged';
     return match.verdict ?? 'unjudged';
@@ -132,11 +132,11 @@ export class Review {
     this.changed();
   }
 
-  /** Whether the click on a segment (or on none) was meant for a missed match. */
+  /** Handles a click on a segment (or on none). Returns whether it was meant for a missed match. */
   takesClick(view: number, segment: number | null): boolean {
     if (!this.adding || !this.pair) return false;
     const side = sideOf(this.pair, view);
-    if (side === null) return true; // the image is none of the pair's
+    if (side === null) return true; // the image is not in the pair
     this.adding[side] = segment;
     const [left, right] = this.adding;
     if (left !== null && right !== null) {
@@ -159,8 +159,8 @@ export class Review {
     return this.stored.added.length;
   }
 
-  /** The numbers of verdicts, counted as `run` does: a left segment with a false match is false,
-   * not missed as well. */
+  /** The numbers of verdicts, counted as `run` does: a left segment with a false match counts as
+   * false and not also as missed. */
   counts(): { correct: number; false: number; unsure: number; missed: number } {
     const n = { correct: 0, false: 0, unsure: 0, missed: 0 };
     const isFalse = new Set<number>();
@@ -173,15 +173,14 @@ export class Review {
     return n;
   }
 
-  /** `run` reads reference_matches.csv of the base pair; the file of another pair has its images in
-   * its name. */
+  /** `run` reads reference_matches.csv for the base pair; the file of another pair is named after
+   * its images. */
   get fileName(): string {
     const { images, pair } = this;
     return images && pair && this.state.now.pair > 0 ? `reference_matches.${images.nameOfPair(pair, '-')}.csv` : 'reference_matches.csv';
   }
 
-  /** Rows of the file: edges by their segments in both images. Matches that nobody is sure of are
-   * left out. */
+  /** The rows of the file: edges with their segments in both images. Unsure matches are omitted. */
   rows(): (string | number)[][] {
     const ends = ['x1_px', 'y1_px', 'x2_px', 'y2_px'];
     const rows: (string | number)[][] = [['id', 'verdict', ...ends.map((e) => `left_${e}`), ...ends.map((e) => `right_${e}`)]];
@@ -221,7 +220,7 @@ export class Review {
     try {
       localStorage.setItem(this.storageKey, JSON.stringify(this.stored));
     } catch {
-      // the browser gives no storage
+      // the browser provides no storage
     }
   }
 

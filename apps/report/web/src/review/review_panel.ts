@@ -26,7 +26,7 @@ export class ReviewPanel {
     this.update();
   }
 
-  /** Which pair of several is judged, and what its file is good for. */
+  /** States which of several pairs is judged and what its file can be used for. */
   private aboutPair(): string {
     const { images, review } = this;
     const { pair } = this.state.now;

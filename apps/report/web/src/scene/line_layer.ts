@@ -7,7 +7,7 @@ import { classColour, distanceColour, selectionColour, statusColour } from '../d
 import type { Line } from '../data/schema';
 
 export type LineColouring = 'class' | 'status' | 'distance';
-/** Gives the place of a point on the screen and its depth. */
+/** Returns the screen position of a point and its depth; null if it is not visible. */
 type Project = (x: Vector3) => [number, number, number] | null;
 
 const colourOf: Record<LineColouring, (line: Line) => string> = {
@@ -16,8 +16,8 @@ const colourOf: Record<LineColouring, (line: Line) => string> = {
   distance: distanceColour,
 };
 
-/** Lines lie in the points that they were judged by; the offset towards the eye keeps them visible.
- */
+/** Lines lie among the points against which they were judged; the offset towards the eye keeps them
+ * visible. */
 function layer(width: number, dashed: boolean): LineSegments2 {
   const material = new LineMaterial({ linewidth: width, vertexColors: true, dashed, dashSize: 0.6, gapSize: 0.4,
     polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -600 });
@@ -26,8 +26,8 @@ function layer(width: number, dashed: boolean): LineSegments2 {
   return object;
 }
 
-/** Evaluated lines are solid, others dashed; aligned ones are thicker, so that a print without
- * colour tells them apart; the selected one is drawn over everything. */
+/** Evaluated lines are solid, others dashed. Aligned lines are thicker, so that they can be
+ * distinguished in print without colour. The selected line is drawn on top of everything. */
 export class LineLayer {
   readonly object = new Group();
   private readonly parts: readonly { object: LineSegments2; has: (line: Line) => boolean }[] = [true, false].flatMap((aligned) =>
@@ -80,7 +80,7 @@ export class LineLayer {
     return l?.start && l.end ? new Vector3(...l.start).add(new Vector3(...l.end)).multiplyScalar(0.5) : null;
   }
 
-  /** The line nearest to a place on the screen, within 8 pixels. */
+  /** The line nearest to a screen position, within 8 pixels. */
   nearest(at: [number, number], project: Project): number | null {
     return this.search(at, project)?.line ?? null;
   }

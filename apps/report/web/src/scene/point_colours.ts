@@ -3,20 +3,21 @@ import { noPlaneColour, planeColour, surfaceColour } from '../data/colours';
 import { uint16 } from '../data/decode';
 import type { Method, PointSet } from '../data/schema';
 
-/** Points of one class, by their index, have one colour, which may depend on the theme. */
+/** Assigns a class to each point, by its index, and to each class a colour, which may depend on the
+ * theme. */
 export interface PointColours {
   classOf: (point: number) => number;
   colourOf: (pointClass: number) => string;
 }
 
-/** Colours points by the plane that lines were judged by; 0: none. */
+/** Colours points by the plane against which lines were judged; 0: none. */
 export function planeColours(method: Method): PointColours {
   const planes = uint16(method.plane_of_point);
   return { classOf: (point) => planes[point]!, colourOf: (plane) => (plane === 0 ? noPlaneColour() : planeColour(plane - 1)) };
 }
 
-/** Colours points by height, in steps over the range of all but a few points, as matching errs by
- * many metres at times. */
+/** Colours points by height, in steps over the range of all but a few points, because matching
+ * errors can reach many metres. */
 export function heightColours(points: PointSet): PointColours {
   const steps = 16;
   const heights = uint16(points.positions).filter((_, i) => i % 3 === 2);

@@ -5,16 +5,17 @@ import { uint16 } from '../data/decode';
 import type { PointSet } from '../data/schema';
 import type { PointColours } from './point_colours';
 
-/** Gives the place of a point on the screen and its depth. */
+/** Returns the screen position of a point and its depth; null if it is not visible. */
 type Project = (x: Vector3) => [number, number, number] | null;
 
 type Bytes = [number, number, number];
 
-/** A colour in the renderer's linear scale. It is dimmed on a dark background, so that lines stand
+/** A colour in the renderer's linear scale. On a dark background it is dimmed, so that lines stand
  * out. */
 const bytesOf = (colour: string): Bytes => new Color(colour).multiplyScalar(isDark() ? 0.3 : 1).toArray().map((v) => Math.round(255 * v)) as Bytes;
 
-/** A permutation of 0 .. n-1 that spreads neighbours: any first part of it covers the whole. */
+/** A permutation of 0 .. n-1 that separates neighbours, so that any initial part covers the whole
+ * evenly. */
 function spread(n: number): (i: number) => number {
   const step = [7919, 7907, 7901].find((prime) => n % prime !== 0) ?? 1;
   return (i) => (i * step) % n;
@@ -33,7 +34,7 @@ export class PointLayer {
       this.source = points;
       this.positions = points ? uint16(points.positions) : new Uint16Array();
       const n = this.positions.length / 3;
-      // a point has four values, because graphics memory is read by words
+      // four values per point, because graphics memory is read in words
       const padded = new Uint16Array(4 * n);
       const from = spread(n);
       for (let i = 0; i < n; ++i) padded.set(this.positions.subarray(3 * from(i), 3 * from(i) + 3), 4 * i);
@@ -66,12 +67,12 @@ export class PointLayer {
     this.object.geometry.setAttribute('color', new BufferAttribute(colours, 4, true));
   }
 
-  /** Draws only this share of the points, evenly. */
+  /** Draws only this share of the points, evenly distributed. */
   thin(share: number): void {
     this.object.geometry.setDrawRange(0, share < 1 ? Math.ceil((share * this.positions.length) / 3) : Infinity);
   }
 
-  /** The point nearest to the eye among those shown within 8 pixels of a place on the screen. */
+  /** The point nearest to the eye among those shown within 8 pixels of a screen position. */
   pointNear(at: [number, number], project: Project): { x: Vector3; depth: number } | null {
     const { source } = this;
     if (!source || !this.object.visible) return null;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The 3D view with its controls and legend; a message where the browser has no WebGL.
+// The 3D view with its controls and legend; a message if the browser has no WebGL.
 import { classColour, distanceSteps, okabeIto, selectionColour, statusColour, surfaceColour } from '../data/colours';
 import type { State } from '../state';
 import { append, button, checkbox, choice, h, replace } from '../ui/dom';
@@ -22,7 +22,7 @@ export class ScenePanel {
   private readonly thinned = h('p', { class: 'caption', id: 'thinned' });
   private readonly measured = h('p', { class: 'caption', id: 'measured', role: 'status' });
   private readonly surfaceControl = h('span', { class: 'slot' });
-  private isSurfaceShown: boolean | null = null; // null: nobody has chosen
+  private isSurfaceShown: boolean | null = null; // null: the reader has not chosen
   private colouring: LineColouring = 'class';
   private isPicking = false;
 
@@ -42,7 +42,7 @@ export class ScenePanel {
         this.updateLegend();
       }
       this.view?.select(now.line);
-      // a line that was picked in the view is in sight already
+      // a line picked in the view is already visible
       if (now.line !== null && now.line !== before.line && !this.isPicking) this.view?.centreOn(now.line);
     });
   }

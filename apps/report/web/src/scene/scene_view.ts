@@ -98,7 +98,7 @@ export class SceneView {
     this.redraw();
   }
 
-  /** Brings the line into the middle without turning the view, from 60 m at most. */
+  /** Centres the view on the line without turning it, from a distance of at most 60 m. */
   centreOn(line: number): void {
     const middle = this.lines.middleOf(line);
     if (!middle) return;
@@ -131,7 +131,7 @@ export class SceneView {
     this.redraw();
   }
 
-  /** Where a line is on the canvas, CSS pixels; for tests. */
+  /** The position of a line on the canvas in CSS pixels; for tests. */
   screenPositionOf(line: number): [number, number] | null {
     const middle = this.lines.middleOf(line);
     const at = middle && this.toScreen(middle);
@@ -154,7 +154,7 @@ export class SceneView {
     this.surface.thin(share);
   }
 
-  /** While the view turns, points are thinned until 30 frames a second are reached. */
+  /** While the view turns, points are thinned until 30 frames per second are reached. */
   private keepFluent(): void {
     const now = performance.now();
     const took_ms = now - this.lastFrame;
@@ -184,8 +184,8 @@ export class SceneView {
     this.render();
   }
 
-  /** Finds the box of the LIDAR points, else of the surface; without points, of the lines except
-   * the farthest. */
+  /** Finds the box of the LIDAR points or, without them, of the surface; without any points, the
+   * box of the lines except the farthest ones. */
   private findBox(patch: Patch, method: Method): void {
     this.box.makeEmpty();
     const points = patch.points ?? patch.surface;
@@ -207,7 +207,7 @@ export class SceneView {
     return p.z > 1 || p.z < -1 ? null : [((p.x + 1) / 2) * this.width, ((1 - p.y) / 2) * this.height, p.z];
   }
 
-  /** The point nearest to the eye among all points shown near a place on the screen. */
+  /** The point nearest to the eye among all points shown near a screen position. */
   private pointNear(at: [number, number], project: (x: Vector3) => [number, number, number] | null): Vector3 | null {
     const near = [this.points, this.surface].flatMap((layer) => layer.pointNear(at, project) ?? []);
     return near.sort((a, b) => a.depth - b.depth)[0]?.x ?? null;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The only way elements are made: text becomes text nodes, so that nothing in the data is ever
-// markup.
+// All elements are made here. Text becomes text nodes, so that data is never interpreted as markup.
 
 type Child = Node | string | null | undefined | false;
 type Attributes = Record<string, string | number | boolean | EventListener | null | undefined>;

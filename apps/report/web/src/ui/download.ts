@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { h } from './dom';
 
-/** The rows as CSV of RFC 4180. */
+/** The rows as CSV (RFC 4180). */
 export function csv(rows: readonly (readonly (string | number | null | undefined)[])[]): string {
   const field = (value: string | number | null | undefined): string => {
     const text = value === null || value === undefined ? '' : String(value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A table whose columns sort it; the first rows are shown until all are asked for.
+// A table that can be sorted by its columns and shows only its first rows until all are requested.
 import { button, h, replace } from './dom';
 
 type Value = string | number | null;
@@ -18,7 +18,7 @@ export interface SortedOptions<Row> {
   sortBy: string;
   descending?: boolean;
   limit?: number;
-  onPoint?: (row: Row | null) => void; // a row is under the pointer or has the focus
+  onPoint?: (row: Row | null) => void; // the row under the pointer or with the focus
 }
 
 export class SortedTable<Row> {
@@ -57,7 +57,7 @@ export class SortedTable<Row> {
     }));
   }
 
-  /** Numbers begin with the largest, words with the first. */
+  /** Numbers start with the largest, words in alphabetical order. */
   private sortBy(column: SortedColumn<Row>): void {
     this.descending = column.key === this.sortKey ? !this.descending : column.number ?? false;
     this.sortKey = column.key;
@@ -66,7 +66,7 @@ export class SortedTable<Row> {
     this.render();
   }
 
-  /** Missing values come last in either direction; ids are in the order people count. */
+  /** Missing values come last in either direction; ids are in natural order (2 before 10). */
   private compare(a: Row, b: Row): number {
     const column = this.columns.find((c) => c.key === this.sortKey)!;
     const [x, y] = [column.value(a), column.value(b)];
@@ -94,7 +94,7 @@ export class SortedTable<Row> {
     for (const type of ['pointerleave', 'focusout']) element.addEventListener(type, () => onPoint(null));
   }
 
-  /** Marks the row that is pointed at elsewhere. */
+  /** Marks the row whose item is pointed at outside the table. */
   mark(row: Row | null): void {
     [...this.body.rows].forEach((element, i) => element.classList.toggle('marked', row !== null && this.shownRows[i] === row));
   }

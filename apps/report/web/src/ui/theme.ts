@@ -2,7 +2,7 @@
 import { isDark } from '../data/colours';
 import { button } from './dom';
 
-/** A button that changes the theme. The page follows the system until it is pressed. */
+/** A button that changes the theme. Until it is pressed, the page follows the system. */
 export function themeButton(onchange: () => void): HTMLButtonElement {
   const text = (): string => (isDark() ? 'Light' : 'Dark');
   const toggle = button(text(), () => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a client reads first: the verdict, the figure that counts, what was judged by what, what
-// makes the figure, what to fix, and where the lines lie.
+// What a client reads first: the verdict, the key figure, the product and its reference, the worst
+// lines, what to fix, and a plan of the lines.
 import { halfSentence, headline, isOfFiles, ofPlace, placeSentence, productRows } from '../data/product';
 import type { Report, Summary } from '../data/schema';
 import type { State } from '../state';
@@ -16,7 +16,7 @@ import { WorstLines } from './worst_lines';
 export const titleOf = (report: Report): string =>
   report.run.page?.title || (isOfFiles(report) ? 'Accuracy of 3D lines against LIDAR' : 'Line reconstruction report');
 
-/** RMS over several patches: their sums of squares and counts add up. */
+/** RMS over several patches, from the sums of their squares and counts. */
 function pooled(rows: readonly Summary[]): { rms_m: number | null; n: number; lines: number } {
   let squares = 0;
   let n = 0;

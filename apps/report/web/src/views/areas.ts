@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The areas that pooled results were judged in: a plan with links to their pages, and a table.
+// The areas in which pooled results were judged: a plan with links to their pages, and a table.
 import { distanceSteps } from '../data/colours';
 import type { JudgedArea, Report } from '../data/schema';
 import { h } from '../ui/dom';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The buildings of a model in plan, their edges coloured by verdict, the worst with their place in
+// The buildings of a model in plan, their edges coloured by verdict, the worst ones numbered as in
 // the list.
 import type { Line } from '../data/schema';
 import { lookOf, verdicts, worstBuildings } from '../data/verdicts';
@@ -20,7 +20,7 @@ export class BuildingPlan {
     const verdictOf = new Map(buildings.map((b) => [b.id, b.verdict]));
     const { drawing, content, at } = planFrame(shown.map(({ line }) => line), 'Buildings in plan, coloured by verdict');
     const place = (line: Line): number => verdicts.indexOf(verdictOf.get(line.building ?? '') ?? 'not judged');
-    // the worst are drawn last, over the others
+    // the worst are drawn last, on top of the others
     for (const { line, index } of [...shown].sort((a, b) => place(b.line) - place(a.line))) {
       content.append(this.drawEdge(line, index, verdictOf.get(line.building ?? '') ?? 'not judged', at));
     }

@@ -12,7 +12,7 @@ const size: readonly [number, number] = [260, 150];
 const halfWidth_m = 0.75;  // of the slab whose points are drawn
 const beyond_m = 2;
 
-/** The place of a section: through a point, across a direction in plan. */
+/** The position of a section: through a point, perpendicular to a direction in plan. */
 interface Cut { x: number; y: number; ux: number; uy: number }
 
 /** Through the middle of the building, across its longest edge. */
@@ -27,7 +27,8 @@ function cutOf(edges: readonly Line[]): Cut | null {
   return { x: range(0), y: range(1), ux: (longest.end![0] - longest.start![0]) / length(longest), uy: (longest.end![1] - longest.start![1]) / length(longest) };
 }
 
-/** Where the edges meet the section, from one side to the other: the roof's outline. */
+/** The points where the edges meet the section, from one side to the other: the outline of the
+ * roof. */
 function profile(edges: readonly Line[], cut: Cut): [t: number, z: number][] {
   const found: [number, number][] = [];
   for (const { start, end } of edges) {
@@ -84,7 +85,7 @@ function section(building: Building, edges: readonly Line[], points: Points, pos
   return element;
 }
 
-/** Nothing if no building is wrong. */
+/** Empty if no building is wrong. */
 export function buildingSections(state: State): HTMLElement[] {
   const { buildings = [], lines } = state.method;
   const { points } = state.patch;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The buildings of a model: how many are right, their plan, a table that begins with the worst, and
-// sections of these.
+// sections of the worst.
 import type { Building } from '../data/schema';
 import { reasonOf, verdicts } from '../data/verdicts';
 import type { State } from '../state';
@@ -35,7 +35,7 @@ function columns(select: (line: string) => void): SortedColumn<Building>[] {
   ];
 }
 
-/** Nothing for lines that are of no model. */
+/** Empty for lines that do not belong to a model. */
 export function buildingsOf(state: State): HTMLElement[] {
   const { buildings, lines, name } = state.method;
   if (!buildings) return [];

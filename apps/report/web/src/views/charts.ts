@@ -6,7 +6,7 @@ import { ascending, chiSquare1, median, normalQuantile } from '../data/statistic
 import { h } from '../ui/dom';
 import { fixed, words } from '../ui/format';
 
-const kMinDistance_m = 1e-4; // smaller distances are drawn here on logarithmic axes
+const kMinDistance_m = 1e-4; // on logarithmic axes, smaller distances are drawn at this value
 
 type Data = uPlot.AlignedData;
 type Series = uPlot.Series;
@@ -30,7 +30,7 @@ const evaluated = (lines: readonly Line[]): (Line & { mean_distance_m: number; s
 
 const classesOf = (lines: readonly Line[]): string[] => [...new Set(lines.map((l) => l.class))].sort().reverse();
 
-/** Dashes tell the classes apart without colour. */
+/** Dashes distinguish the classes without colour. */
 const dashOf = (lineClass: string): number[] => (lineClass === 'aligned' ? [6, 4] : []);
 
 function curve(label: string, stroke: string, dash: number[] = [], width = 2): Series {
@@ -45,11 +45,11 @@ function cloud(lineClass: string): Series {
     points: { show: true, size: isAligned ? 7 : 5, width: 1.2, stroke: colour, fill: isAligned ? 'transparent' : colour } };
 }
 
-/** Joins several sets of points over the union of their x. */
+/** Merges several sets of points over the union of their x values. */
 function join(sets: readonly { x: readonly number[]; y: readonly (number | null)[] }[]): Data {
   return uPlot.join(sets.map((s) => {
     const order = s.x.map((_, i) => i).sort((a, b) => s.x[a]! - s.x[b]!);
-    // uPlot.join needs different x within a set
+    // uPlot.join needs distinct x values within a set
     const x: number[] = [];
     for (const i of order) x.push(x.length > 0 && s.x[i]! <= x[x.length - 1]! ? x[x.length - 1]! * (1 + 1e-12) + 1e-15 : s.x[i]!);
     return [x, order.map((i) => s.y[i] ?? null)] as unknown as Data;
@@ -162,7 +162,7 @@ function draw(chart: Chart, parent: HTMLElement): uPlot {
   return new uPlot(options, chart.data, parent);
 }
 
-/** The charts of a method; drawn anew for another method, theme or width. */
+/** The charts of a method; redrawn when the method, theme or width changes. */
 export class Charts {
   readonly element = h('section', { id: 'charts' });
   private plots: uPlot[] = [];

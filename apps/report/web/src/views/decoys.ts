@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How many lines that were moved on purpose pass for right ones.
+// How many deliberately moved lines pass as correct.
 import type { DecoyFigure, Method } from '../data/schema';
 import { h, table, type Column } from '../ui/dom';
 import { missing, percent, words } from '../ui/format';

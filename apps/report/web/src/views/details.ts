@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The selected line: its figures, its planes, its chips of all images.
+// The selected line: its figures, its planes, and a chip from each image.
 import { selectionColour } from '../data/colours';
 import type { ImageSegment, Line, Patch } from '../data/schema';
 import type { State } from '../state';
@@ -79,7 +79,7 @@ export class Details {
     if (this.images?.areSeveral && chips.childElementCount > 0) append(this.element, h('p', { class: 'caption' }, legendOf(line, this.images)));
   }
 
-  /** The images that show the line, its first one first, then those in which it lies. */
+  /** The images that show the line, its first one first, then the others that contain it. */
   private viewsOf(line: Line): number[] {
     const { images } = this;
     if (!images) return [];
@@ -93,14 +93,14 @@ export class Details {
     if (!images) return;
     const own = images.segmentsOfLine(v, line);
     const projected = images.projected(v, line);
-    // of several images, a segment may be a small part of the line
+    // with several images, a segment may be a small part of the line
     const parts = projected && (own.length === 0 || images.areSeveral) ? [...own, projected] : own;
     const shown = parts.length > 0 ? boxOf(parts) : null;
     if (!shown) return;
     const view = images.images.views[v]!;
     const chip = new ImageCanvas(images.pictures[v]!, [view.width_px, view.height_px], `Line ${line.id} in image ${view.id}`, (canvas) => {
       paintLine(v, canvas, images, line, 1.5, false);
-      // a pair shows every line: where no segment is known, the projection stands for it
+      // a pair shows every line: the projection replaces an unknown segment
       if (own.length === 0 && projected && !images.areSeveral) canvas.segment(projected, { colour: selectionColour, width: 1.5 });
     });
     const words = viewWords(this.state.patch, line, v);
@@ -110,14 +110,14 @@ export class Details {
   }
 }
 
-/** What the lines in the chips are. */
+/** Explains the lines in the chips. */
 function legendOf(line: Line, images: PatchImages): string {
   const [first, second] = images.viewsOfLine(line).map((v) => images.images.views[v]!.id);
   const epipolar = second === undefined ? (first === undefined ? '' : `; violet: epipolar lines of the ends in ${first}`) : `; violet: epipolar lines of the ends in ${first} (in ${first}: of those in ${second})`;
   return `Magenta: image segments; black and white: projected 3D line${epipolar}.`;
 }
 
-/** The box around segments, as one that runs across it. */
+/** The bounding box of segments, as its diagonal. */
 function boxOf(segments: readonly ImageSegment[]): ImageSegment {
   if (segments.length === 1) return segments[0]!;
   const x = segments.flatMap((s) => [s[0], s[2]]);

@@ -52,8 +52,8 @@ function strataTable(by: string, strata: readonly Stratum[]): HTMLElement {
   return table(columns, strata);
 }
 
-/** Compares two methods on the lines that both have evaluated; their other figures belong to
- * different lines. */
+/** Compares two methods on the lines evaluated for both; their other figures refer to different
+ * lines. */
 function pairedText(method: Method, other: Method): string {
   const distances = new Map(other.lines.map((l) => [l.id, l.mean_distance_m]));
   const pairs = method.lines.flatMap((l) => {

@@ -9,7 +9,7 @@ const unique = (names: readonly string[]): string[] => [...new Set(names)];
 
 const hasFigures = (report: Report): boolean => report.table2.some((row) => row.rms_m !== null);
 
-/** The sentences that stand in place of missing figures. */
+/** The sentences shown instead of missing figures. */
 export const messages = (report: Report): HTMLElement[] =>
   (report.run.messages ?? []).map((text) => h('p', { class: 'message', role: 'status' }, text));
 
@@ -31,7 +31,7 @@ export function gateTable(report: Pick<Report, 'gates'>): HTMLElement | null {
     ...report.gates.warnings.map((w) => h('p', { class: 'caption' }, `Warning: ${w}`)));
 }
 
-const kMaxImages = 5; // 5 stands for five and more
+const kMaxImages = 5; // 5 means five or more
 
 function trackTable(tracks: readonly PatchTracks[]): HTMLElement {
   const rows = tracks.flatMap(({ patch, cells }) =>
@@ -76,7 +76,7 @@ function table1(report: Report): HTMLElement | null {
     report.table1_tracks ? trackTable(report.table1_tracks) : null);
 }
 
-/** The published form: a row per patch, methods side by side. */
+/** The published form: one row per patch, methods side by side. */
 export function table2(rows: readonly Table2Row[]): HTMLElement {
   const methods = unique(rows.map((r) => r.method));
   const order = ['not_aligned', 'aligned', 'total'];
@@ -98,7 +98,7 @@ export function table2(rows: readonly Table2Row[]): HTMLElement {
         ...methods.flatMap((m) => classes.map((c) => cell(patch, m, c))))))));
 }
 
-/** What stands in small letters in table2(). */
+/** Explains the small print in table2(). */
 export const smallPrint = (rows: readonly Table2Row[]): string => `Small: lines evaluated / all lines. ${rows.some(ofPlace)
   ? 'First figure: lines whose surface was chosen by plan and images; after the +: lines decided by points or the line\u2019s own position. ' : ''}`;
 
@@ -128,7 +128,7 @@ export function summaryColumns<Row extends Summary>(): Column<Row>[] {
   ];
 }
 
-/** All figures of all rows, folded. */
+/** All figures of all rows, initially collapsed. */
 export function table2Details(rows: readonly Table2Row[]): HTMLElement {
   type Row = Summary & Pick<Table2Row, 'patch' | 'method' | 'class'>;
   const all: Column<Row>[] = [

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One image with drawings on it, to be zoomed and moved.
+// An image with an overlay, which can be zoomed and panned.
 import type { Point2 } from '../data/geometry';
 import type { ImageSegment } from '../data/schema';
 import { h } from '../ui/dom';
@@ -17,10 +17,12 @@ export class ImageCanvas {
   private scale = 0; // screen pixels per image pixel; 0: fit
   private centre: Point2;
   private moved = false;
-  private width = 1; // width of the canvas on the page; asking it for every segment would lay out the page anew
+  // cached size of the canvas on the page: reading it for every segment would force a new layout
+  private width = 1;
   private height = 1;
 
-  /** `paint` draws the overlay; `click` gets image coordinates and the reach of a click in them. */
+  /** `paint` draws the overlay; `click` receives the image coordinates of a click and its reach in
+   * image pixels. */
   constructor(
     private readonly picture: HTMLImageElement,
     private readonly size: Point2,
@@ -41,7 +43,7 @@ export class ImageCanvas {
   private get pxPerPixel(): number {
     return this.scale > 0 ? this.scale : this.fitScale();
   }
-  /** Pixel (0, 0) is the centre of the first pixel. */
+  /** (0, 0) is the centre of the first pixel. */
   private toScreen([x, y]: Point2): Point2 {
     const s = this.pxPerPixel;
     return [(x + 0.5 - this.centre[0]) * s + this.width / 2, (y + 0.5 - this.centre[1]) * s + this.height / 2];
@@ -96,7 +98,7 @@ export class ImageCanvas {
     this.draw();
   }
 
-  /** Shows a segment with its surroundings. */
+  /** Zooms to a segment with its surroundings. */
   frame([x1, y1, x2, y2]: ImageSegment): void {
     const margin = 30;
     [this.width, this.height] = [this.canvas.clientWidth, this.canvas.clientHeight];

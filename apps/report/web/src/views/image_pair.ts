@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pair of images, and further ones on request: segments (Fig. 1), matches (Fig. 7) or
-// reconstructed lines; the selected line with its epipolar lines.
+// The pair of images, and further ones on request, with segments (Fig. 1), matches (Fig. 7) or
+// reconstructed lines, and the selected line with its epipolar lines.
 import { classColour, okabeIto, selectionColour, verdictColours } from '../data/colours';
 import { distanceToSegment, type Point2 } from '../data/geometry';
 import type { ImageSegment, Line, PairOfViews } from '../data/schema';
@@ -38,7 +38,7 @@ function legendItem(text: string, stroke: Stroke): HTMLElement {
 interface ShownImage {
   canvas: ImageCanvas;
   figure: HTMLElement;
-  /** What it shows of the selected line. */
+  /** Describes how the selected line appears in it. */
   words: HTMLElement;
 }
 
@@ -51,10 +51,11 @@ export class ImagePair {
   private shown: ShownImage[] = []; // by image
   private images: PatchImages | null = null;
   private layer: Layer = 'matches';
-  /** Whether the first two images of the selected line are shown, until somebody chooses a pair. */
+  /** Whether the first two images of the selected line are shown: true until the reader chooses a
+   * pair. */
   private followsLine = true;
   private isClicked = false; // a line selected in an image leaves the images as they are
-  private further = new Set<number>(); // images beside the pair
+  private further = new Set<number>(); // images in addition to the pair
 
   constructor(private readonly state: State, private readonly review: Review) {
     append(this.element, h('h3', {}, 'Images'), this.controls, this.choices, this.box, this.legend);
@@ -122,8 +123,8 @@ export class ImagePair {
     return [pair.base, pair.search, ...[...this.further].filter((v) => v !== pair.base && v !== pair.search).sort((a, b) => a - b)];
   }
 
-  /** The images that show the selected line first, unless somebody has chosen others or judges
-   * matches. */
+  /** Shows the first two images of the selected line, unless the reader has chosen others or is
+   * judging matches. */
   private followLine(): void {
     const { images, state } = this;
     const { line, now } = state;
@@ -139,7 +140,7 @@ export class ImagePair {
     this.draw();
   }
 
-  /** Which images are shown; nothing to choose if there are two. */
+  /** The controls for choosing images; none if there are only two. */
   private showChoices(): void {
     const { images, pair } = this;
     if (!images?.areSeveral || !pair) {
@@ -263,8 +264,8 @@ export class ImagePair {
     this.isClicked = false;
   }
 
-  /** The line at a place in an image. Lines of other tools have no segments in the report, but may
-   * state their own. */
+  /** The line at a position in an image. The report has no segments for lines of other tools, but
+   * their files may give some. */
   private lineAt(v: number, x: Point2, reach_px: number): number | null {
     const { images } = this;
     if (!images) return null;
@@ -294,8 +295,8 @@ export class ImagePair {
   }
 }
 
-/** Draws a line: its projection, its segments and, if wanted, the epipolar lines of its first
- * segment. */
+/** Draws a line: its projection, its segments and, if `epipolar` is set, the epipolar lines of its
+ * first segment in another image. */
 export function paintLine(v: number, canvas: ImageCanvas, images: PatchImages, line: Line, width: number, halo: boolean, epipolar = true): void {
   if (epipolar) paintEpipolar(v, canvas, images, images.partnerOf(v, line));
   const seen = images.projectedCurve(v, line);
@@ -303,7 +304,7 @@ export function paintLine(v: number, canvas: ImageCanvas, images: PatchImages, l
   for (const own of images.segmentsOfLine(v, line)) canvas.segment(own, { colour: selectionColour, width, halo });
 }
 
-/** Draws the epipolar lines of both ends of another image's segment. */
+/** Draws the epipolar lines of both ends of a segment in another image. */
 function paintEpipolar(v: number, canvas: ImageCanvas, images: PatchImages, other: { view: number; segment: ImageSegment } | null): void {
   if (!other) return;
   const [x1, y1, x2, y2] = other.segment;

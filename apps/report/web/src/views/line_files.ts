@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several line files judged by one cloud: which one leads, and the others beside it.
+// Shows several line files judged against one cloud side by side, the leading one first.
 import { headline, isOfFiles, product } from '../data/product';
 import type { Report, Summary } from '../data/schema';
 import type { State } from '../state';
@@ -15,7 +15,7 @@ export function comparedFiles(report: Report): string[] {
   return [leading, ...patch.methods.map((m) => m.name).filter((name) => name !== leading)];
 }
 
-/** A table with a row per file, of all its lines. A click on the name shows the file in the plan
+/** A table with one row per file, for all its lines. A click on a name shows the file in the plan
  * and in all panels. */
 export function lineFiles(state: State): HTMLElement | null {
   const { report } = state;

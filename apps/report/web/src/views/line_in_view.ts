@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What an image shows of a line, in words. Patches of two images have none: both images show every
-// line.
+// Describes in words how a line appears in an image. Patches of two images have no descriptions:
+// both images show every line.
 import type { Line, Patch } from '../data/schema';
 import { fixed } from '../ui/format';
 import type { PatchImages } from './patch_images';
 
 export interface ViewWords {
-  /** One word or two, to be read first. */
+  /** One or two words, to be read first. */
   word: string;
   more: string;
-  /** Whether the image speaks against the line. */
+  /** Whether the image contradicts the line. */
   disagrees: boolean;
 }
 
-/** Null where nothing is known. */
+/** Null if nothing is known. */
 export function viewWords(patch: Patch, line: Line, view: number): ViewWords | null {
   const shown = line.views?.[view];
   if (!shown) return null;
@@ -31,7 +31,7 @@ export function viewWords(patch: Patch, line: Line, view: number): ViewWords | n
   }
 }
 
-/** One sentence on all images of a line; null for patches of two images. */
+/** One sentence about all images of a line; null for patches of two images. */
 export function sentenceOfViews(patch: Patch, line: Line, images: PatchImages): string | null {
   if (!line.views || !images.areSeveral) return null;
   const named = (word: string): string[] => images.images.views.filter((_, v) => viewWords(patch, line, v)?.word === word).map((v) => v.id);

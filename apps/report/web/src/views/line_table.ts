@@ -41,8 +41,8 @@ const columns: readonly LineColumn[] = [
 
 const isNumeric = (c: LineColumn, lines: readonly Line[]): boolean => lines.some((l) => typeof c.value(l) === 'number');
 
-/** Compares two lines by a column. Missing values come last in either direction; ids are in the
- * order people count. */
+/** Compares two lines by a column. Missing values come last in either direction; ids are in natural
+ * order (2 before 10). */
 function compare(a: Line, b: Line, column: LineColumn, descending: boolean): number {
   const x = column.value(a);
   const y = column.value(b);
@@ -53,7 +53,7 @@ function compare(a: Line, b: Line, column: LineColumn, descending: boolean): num
   return descending ? -order : order;
 }
 
-/** Of a pair, both images show every line. */
+/** Only with more than two images: both images of a pair show every line. */
 const showsNumberOfImages = (lines: readonly Line[]): boolean => lines.some((l) => (l.n_images ?? 0) > 2);
 
 const kPage = 500;
@@ -120,7 +120,7 @@ export class LineTable {
     }));
   }
 
-  /** Columns that hold something. */
+  /** The columns that have values. */
   private columns(): readonly LineColumn[] {
     const lines = this.state.method.lines;
     return columns.filter((c) => c.key === 'n_images' ? showsNumberOfImages(lines) : c.key === 'id' || lines.some((l) => { const v = c.value(l); return v !== null && v !== undefined && v !== ''; }));
@@ -166,7 +166,7 @@ export class LineTable {
     return line === null ? null : this.body.querySelector<HTMLElement>(`tr[data-line="${line}"]`);
   }
 
-  /** Shows all rows if the selected line is beyond those shown. */
+  /** Shows all rows if the selected line is not among those shown. */
   private reveal(): void {
     const { line } = this.state.now;
     if (line !== null && !this.rowOf(line) && this.filtered().includes(line)) {
@@ -186,7 +186,7 @@ export class LineTable {
     if (row && scroll) this.scrollTo(row);
   }
 
-  /** Scrolls to a row within the table only: the page stays where the reader is. */
+  /** Scrolls to a row within the table only, without scrolling the page. */
   private scrollTo(row: HTMLElement): void {
     const box = this.body.closest('.scroll');
     if (!box) return;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The decoded images of a patch with their segments, shared by the images, the chips and the
+// The decoded images of a patch with their segments, shared by the image panel, the chips and the
 // review.
 import { float32, uint8 } from '../data/decode';
 import { epipolarLine, project, type Point2 } from '../data/geometry';
 import { clipLine, clipSegment, curveOf, distorted, idealBox, undistorted, type Box } from '../data/lens';
 import type { Images, ImageSegment, Line, Match, PairOfViews, Patch } from '../data/schema';
 
-/** Which segment of a match an image shows; null for an image that is none of the pair's. */
+/** Which segment of a match is in an image, 0 (left) or 1 (right); null for an image outside the
+ * pair. */
 export const sideOf = (pair: PairOfViews, view: number): 0 | 1 | null => (view === pair.base ? 0 : view === pair.search ? 1 : null);
 
 export class PatchImages {
@@ -43,7 +44,7 @@ export class PatchImages {
   get count(): number {
     return this.images.views.length;
   }
-  /** Whether the page has to say which of several images it shows. */
+  /** Whether there are more than two images, so that the page must say which ones it shows. */
   get areSeveral(): boolean {
     return this.count > 2;
   }
@@ -52,7 +53,8 @@ export class PatchImages {
   pairOf(a: number, b: number): number {
     return this.pairs.findIndex((p) => (p.base === a && p.search === b) || (p.base === b && p.search === a));
   }
-  /** Whether the program matched the pair itself; of others only tracks tell matches. */
+  /** Whether the program matched the pair itself; the matches of other pairs are derived from
+   * tracks. */
   wasMatched(pair: number): boolean {
     return pair < this.images.pairs.length;
   }
@@ -85,31 +87,31 @@ export class PatchImages {
     return (((this.aligned[view]![other]?.[i >> 3] ?? 0) >> (i & 7)) & 1) === 1;
   }
 
-  /** The line's segments in an image: the extracted ones, else those that its file states. */
+  /** The line's segments in an image: the extracted ones, otherwise those given in its file. */
   segmentsOfLine(view: number, line: Line): ImageSegment[] {
     return (line.observations ?? []).filter((s) => s[0] === view)
       .map(([, index, px]) => (index === null ? null : this.segment(view, index)) ?? this.inPicture(view, px)).filter((s) => s !== null);
   }
-  /** A segment of ideal pixels as the picture shows its ends. */
+  /** Converts the ends of a segment from ideal pixels to pixels of the picture. */
   private inPicture(view: number, px: ImageSegment | null): ImageSegment | null {
     const { lens } = this.images.views[view]!;
     return px && [...distorted(lens, [px[0], px[1]]), ...distorted(lens, [px[2], px[3]])];
   }
 
-  /** The images that show a line, the first of its segments first. */
+  /** The images that show a line, in the order of its segments. */
   viewsOfLine(line: Line): number[] {
     return [...new Set((line.observations ?? []).map((s) => s[0]))].filter((view) => this.segmentsOfLine(view, line).length > 0);
   }
 
-  /** The segment whose epipolar lines an image shows of a line: its first one, or in that one's
-   * image that of another. */
+  /** The segment whose epipolar lines are drawn for a line in an image: its first segment in
+   * another image. */
   partnerOf(view: number, line: Line): { view: number; segment: ImageSegment } | null {
     const other = this.viewsOfLine(line).find((v) => v !== view);
     const segment = other === undefined ? undefined : this.segmentsOfLine(other, line)[0];
     return other === undefined || !segment ? null : { view: other, segment };
   }
 
-  /** The 3D line as the camera sees it, in ideal pixels: the part of it that the picture may show
+  /** The projection of the 3D line in ideal pixels, limited to the part that the picture can show
    * if the lens distorts. */
   private ideal(view: number, line: Line): ImageSegment | null {
     const [start, end] = [line.seen_start ?? line.start, line.seen_end ?? line.end];

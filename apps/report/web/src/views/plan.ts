@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lines of a method in plan, coloured by distance, with scale and legend; a drawing that
-// prints.
+// The lines of a method in plan, coloured by distance, with scale and legend, as a printable
+// drawing.
 import { distanceColour, distanceSteps, okabeIto, selectionColour } from '../data/colours';
 import type { Line, Method, Patch } from '../data/schema';
 import type { State } from '../state';
@@ -22,7 +22,7 @@ export class Plan {
       return;
     }
     const { drawing, content, at } = planFrame(shown.map(({ line }) => line), `Lines of patch ${patch.id} in plan, coloured by distance`);
-    // the worst are drawn last, over the others
+    // the worst are drawn last, on top of the others
     for (const { line, index } of [...shown].sort((a, b) => (a.line.mean_distance_m ?? -1) - (b.line.mean_distance_m ?? -1))) {
       content.append(this.drawLine(line, index, at(line.start!), at(line.end!)));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The frame of a drawing in plan: what of the lines it shows, at which scale, with a scale bar.
+// The frame of a drawing in plan: its extent around the lines, its scale and a scale bar.
 import type { Line } from '../data/schema';
 import { h } from '../ui/dom';
 import { roundLength } from '../ui/round_length';
@@ -27,12 +27,12 @@ export const drawnLines = (lines: readonly Line[]): { line: Line; index: number 
 
 export interface PlanFrame {
   drawing: SVGElement;
-  /** What is drawn goes here. */
+  /** The contents of the drawing are added here. */
   content: SVGElement;
   at: (x: readonly number[]) => [number, number];
 }
 
-/** A drawing with room for the lines, which must have ends. */
+/** A drawing with room for the lines, which must have both ends. */
 export function planFrame(lines: readonly Line[], label: string): PlanFrame {
   const box = boxOf(lines);
   const width = 640;

@@ -12,7 +12,7 @@ function rowsOf(value: unknown, path: string[] = []): { key: string; value: stri
 const pairs = (value: unknown, id: string): HTMLElement =>
   table([{ title: 'name', cell: (r) => r.key }, { title: 'value', cell: (r) => r.value }], rowsOf(value), { id });
 
-/** Versions, options, input hashes: what it takes to repeat the run. */
+/** Versions, options and input hashes: everything needed to repeat the run. */
 export function provenance(report: Pick<Report, 'run'>): HTMLElement {
   const { run } = report;
   return h('section', { id: 'provenance' }, h('h2', {}, 'Provenance'),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The figures of a method in the terms of ASPRS, NSSDA, GUM and ISO 19157.
+// The figures of a method as defined by ASPRS, NSSDA, GUM and ISO 19157.
 import type { IsoMeasure, Method, Standards } from '../data/schema';
 import { h, table, type Column } from '../ui/dom';
 import { fixed, metres, missing, words } from '../ui/format';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What to fix first: wrong lines and buildings, by what mending them gains.
+// What to fix first: wrong lines and buildings, ordered by the gain from correcting them.
 import type { Method, ToFix } from '../data/schema';
 import type { State } from '../state';
 import { button, h, table } from '../ui/dom';
@@ -16,7 +16,7 @@ function move(entry: ToFix): string {
   return parts.length > 0 ? parts.join(', ') : missing;
 }
 
-/** Nothing if all is right. */
+/** Empty if there is nothing to fix. */
 export function toFix(state: State, method: Method): HTMLElement[] {
   const list = method.to_fix ?? [];
   if (list.length === 0) return [];

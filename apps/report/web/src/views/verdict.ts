@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The verdict by the specification, in one sentence.
+// The verdict on the acceptance limits, in one sentence.
 import type { GateResult, Report } from '../data/schema';
 import { h } from '../ui/dom';
 import { fixed } from '../ui/format';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lines farthest off, each with a piece of the image and a section through the laser points
-// across it.
+// The lines farthest off, each with a detail of the image and a cross-section through the laser
+// points.
 import { planeColour, selectionColour } from '../data/colours';
 import { uint16 } from '../data/decode';
 import { halfSentence, headline, isOfFiles, worstLines } from '../data/product';
@@ -22,7 +22,7 @@ function canvas(label: string): { element: HTMLCanvasElement; g: CanvasRendering
   return { element, g };
 }
 
-/** The image around the line's segment, with the segment. */
+/** The image around the line's segment, with the segment drawn in it. */
 function crop(images: PatchImages, line: Line): HTMLCanvasElement | null {
   const v = images.areSeveral ? (images.viewsOfLine(line)[0] ?? 0) : 0;
   const segment = images.segmentsOfLine(v, line)[0] ?? images.projected(v, line);
@@ -50,7 +50,7 @@ function crop(images: PatchImages, line: Line): HTMLCanvasElement | null {
 }
 
 /** The laser points between the ends of the line and within 6 m of it, seen along the line, which
- * is a cross. */
+ * appears as a cross. */
 function section(points: Points, positions: Uint16Array, planeOfPoint: Uint16Array, line: Line): HTMLCanvasElement | null {
   if (!line.start || !line.end) return null;
   const reach_m = 6;
@@ -72,8 +72,8 @@ function section(points: Points, positions: Uint16Array, planeOfPoint: Uint16Arr
     found.push({ t, z: points.low[2] + positions[3 * i + 2]! * points.step[2], plane: planeOfPoint[i]! });
   }
   if (found.length === 0) return null;
-  // the points nearest to the line in height set the middle: a line metres off stays in the picture
-  // as well as they can
+  // the middle is between the line and the points nearest to it in height, so that both are in the
+  // picture if possible
   const nearest = found.map((p) => p.z).sort((a, b) => Math.abs(a - z0) - Math.abs(b - z0))[Math.floor(found.length / 4)]!;
   const middle = (z0 + nearest) / 2;
   const toCanvas = (t: number, z: number): [number, number] => [size[0] / 2 + t * scale, size[1] / 2 - (z - middle) * scale];
