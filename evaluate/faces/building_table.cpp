@@ -20,7 +20,7 @@ void add_line(const LineEvaluation& line, BuildingRow& row) {
   ++row.n_lines;
   if (line.status != Status::kEvaluated) return;
   ++row.n_judged_lines;
-  // the mean of the squares, from one line to the next
+  // running mean of the squares
   const double before = row.rms_m.value_or(0.0);
   const double distance_m = *line.mean_distance_m;
   const double square = distance_m * distance_m;
@@ -31,7 +31,7 @@ void add_line(const LineEvaluation& line, BuildingRow& row) {
   }
 }
 
-/// What the faces of a building add up to.
+/// Sums over the faces of a building.
 struct FaceSums {
   double height_m2 = 0.0, tilt_m2 = 0.0, outline_m2 = 0.0, covered_m2 = 0.0;
   int n_over = 0, n_unexplained = 0;
@@ -71,12 +71,12 @@ void set_points(const PointDistances& points, BuildingRow& row) {
 
 bool is_gone(const PointDistances& points) {
   constexpr double kMaxShareBelow = 0.75;
-  constexpr double kStorey_m = 1.5;  // what is higher above the ground is no ground
+  constexpr double kStorey_m = 1.5;  // a surface higher above the ground is not ground
   const bool is_low = !points.above_ground_m || *points.above_ground_m < kStorey_m;
   return is_low && points.n_far_below > kMaxShareBelow * points.n_over;
 }
 
-/// The verdict on a building's faces one by one.
+/// The verdict based on the individual faces of a building.
 BuildingVerdict verdict_of_parts(const BuildingRow& row) {
   constexpr double kMinJudgedShare = 0.5;  // of the area
   if (!row.unexplained || row.judged_area_m2 < kMinJudgedShare * row.area_m2) {
@@ -96,7 +96,7 @@ BuildingVerdict verdict_of_parts(const BuildingRow& row) {
   return verdict;
 }
 
-/// Whether a shift is all that is wrong.
+/// The verdict if a shift is the only error; empty if it is within the tolerances.
 std::optional<BuildingVerdict> verdict_of_shift(const Eigen::Vector3d& shift_m) {
   if (shift_m.head<2>().norm() > kOutlineTolerance_m) return BuildingVerdict::kShifted;
   if (shift_m.z() > kHeightTolerance_m) return BuildingVerdict::kTooHigh;
@@ -113,7 +113,7 @@ void set_verdict(const RoofBuilding& building,
   if (row.verdict == BuildingVerdict::kChanged) {
     if (is_gone(points)) {
       row.verdict = BuildingVerdict::kGone;
-    } else if (points.parallel_below_m &&  // farther off than planes of faces are looked for
+    } else if (points.parallel_below_m &&  // beyond the range in which planes of faces are sought
                std::abs(*points.parallel_below_m) > kMaxFaceHeight_m) {
       row.shift_m = Eigen::Vector3d(0.0, 0.0, *points.parallel_below_m);
       row.verdict =

@@ -20,18 +20,18 @@
 namespace ridgeline::evaluate {
 
 enum class BuildingVerdict : std::uint8_t {
-  /// Less than half of its roof's area could be, or its faces are right and its lines are not.
+  /// Less than half of the roof area could be judged, or the faces are right but the lines are not.
   kNotJudged,
   kRight,
   kShifted,      ///< in plan as a whole
   kTooHigh,      ///< as a whole
   kTooLow,       ///< as a whole
-  kWrongHeight,  ///< most of what is wrong, by area; the same for the next two
+  kWrongHeight,  ///< the largest wrong share of the area is of this kind; likewise for the next two
   kWrongTilt,
   kWrongOutline,
-  kChanged,  ///< too many points over it lie on none of its planes: the scan has a roof of another
-             ///< shape
-  kGone,     ///< the scan has the ground in its place
+  kChanged,  ///< too many points over it lie on none of its planes: the roof in the scan has a
+             ///< different shape
+  kGone,     ///< the scan shows the ground in its place
 };
 inline constexpr std::array kBuildingVerdicts{
     BuildingVerdict::kRight,        BuildingVerdict::kShifted,     BuildingVerdict::kTooHigh,
@@ -42,41 +42,42 @@ inline constexpr std::array kBuildingVerdicts{
 /// "changed", "gone" or "not judged".
 const char* text(BuildingVerdict verdict);
 
-/// A building by its judged lines and faces.
+/// A building with the results of its judged lines and faces.
 struct BuildingRow {
   std::string id;
   BuildingVerdict verdict = BuildingVerdict::kNotJudged;
 
-  int n_lines = 0, n_judged_lines = 0;  ///< those of LineEvaluation::building
+  int n_lines = 0, n_judged_lines = 0;  ///< lines by LineEvaluation::building
   std::optional<double> rms_m;          ///< of the judged lines' mean distances
-  std::string worst_line;  ///< the judged line of the largest mean distance, the first of several;
-                           ///< "" for none
+  std::string worst_line;  ///< the judged line with the largest mean distance, the first if there
+                           ///< are several; "" for none
   std::optional<double> worst_distance_m;
 
   int n_faces = 0, n_judged_faces = 0;
-  double area_m2 = 0.0;         ///< of its faces but walls, on their planes
-  double judged_area_m2 = 0.0;  ///< of the judged faces: those that were evaluated or have no plane
-  /// Shares of judged_area_m2 by the faces' verdicts; a face may be in several. A face without a
-  /// plane is in none.
+  double area_m2 = 0.0;         ///< of its faces except walls, on their planes
+  double judged_area_m2 = 0.0;  ///< of the judged faces: evaluated ones and those without a plane
+  /// Shares of judged_area_m2 by the faces' verdicts; a face may belong to several. A face without
+  /// a plane belongs to none.
   double wrong_height = 0.0, wrong_tilt = 0.0, wrong_outline = 0.0;
   EdgeHeights heights;
-  /// Of the points over the judged faces, those on no plane of a face nearby; empty without points.
+  /// Share of the points over the judged faces that lie on none of the planes of nearby faces;
+  /// empty if there are no points.
   std::optional<double> unexplained;
-  /// Of a building that is shifted, too high or too low: model minus scan, local.
+  /// If the building is shifted, too high or too low: model minus scan, local.
   std::optional<Eigen::Vector3d> shift_m;
 
-  std::size_t n_points = 0;  ///< of points_rms_m
+  std::size_t n_points = 0;  ///< number of points in points_rms_m
   /// Root mean square and 90 % quantile of PointDistances::to_surface_m, root mean square of
   /// to_roof_m.
   std::optional<double> points_rms_m, points_p90_m, roof_points_rms_m;
   double covered = 0.0;  ///< share of area_m2 that has points on its faces' planes nearby
 };
 
-/// One row a building, in their order.
-/// @param evaluations  of each building's faces, by judge_faces()
+/// One row per building, in the order of the buildings.
+/// @param evaluations  of each building's faces, from judge_faces()
 /// @param points       of each building
-/// @param lines        of any buildings; those of no building given are left out
-/// Throws std::invalid_argument if evaluations or points and buildings do not match.
+/// @param lines        of any buildings; lines of buildings not given are ignored
+/// Throws std::invalid_argument if evaluations or points do not match the buildings.
 std::vector<BuildingRow> building_table(std::span<const RoofBuilding> buildings,
                                         std::span<const std::vector<FaceEvaluation>> evaluations,
                                         std::span<const PointDistances> points,
@@ -87,8 +88,8 @@ std::vector<BuildingRow> building_table(std::span<const RoofBuilding> buildings,
 /// n_judged_faces,area_m2,judged_area_m2,wrong_height_share,wrong_tilt_share,wrong_outline_share,
 /// ridge_height_m,eave_height_m,unexplained_share,shift_x_m,shift_y_m,shift_z_m,n_points,
 /// points_rms_m,points_p90_m,roof_points_rms_m,covered_share.
-/// Heights and shifts are model minus scan. Four decimals, one for areas; an empty cell is a figure
-/// that does not exist.
+/// Heights and shifts are model minus scan. Four decimals, one for areas; missing values are left
+/// empty.
 std::string buildings_csv_header();
 /// The rows of one method.
 std::string buildings_csv_rows(const std::string& method, std::span<const BuildingRow> rows);

@@ -11,7 +11,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// Places on a square grid over a box, each in the middle of its cell.
+/// Positions on a square grid over a box, each in the middle of its cell.
 class CellMiddles {
  public:
   CellMiddles(const Eigen::AlignedBox2d& box, double step_m) : lowest_(box.min()), step_m_(step_m) {
@@ -20,7 +20,7 @@ class CellMiddles {
     covered_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
   }
 
-  /// Marks all places within a circle.
+  /// Marks all positions within a circle.
   void cover(const Eigen::Vector2d& x, double radius_m) {
     const Eigen::Vector2d in_steps = (x - lowest_) / step_m_;
     const int r = static_cast<int>(radius_m / step_m_) + 1;

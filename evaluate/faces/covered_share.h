@@ -10,8 +10,8 @@
 namespace ridgeline::evaluate {
 
 /// The share of a polygon's area that lies within `radius_m` of one of the points; 0 without
-/// points. It is taken at places half a radius apart, or farther if there were more than about
-/// 100,000 of them. Throws std::invalid_argument unless the radius is positive.
+/// points. It is sampled at positions half a radius apart, or farther apart if there would be more
+/// than about 100,000 of them. Throws std::invalid_argument unless the radius is positive.
 double covered_share(const PlanPolygon& polygon,
                      std::span<const Eigen::Vector2d> points,
                      double radius_m);

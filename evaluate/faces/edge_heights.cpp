@@ -16,9 +16,9 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kTouching_m = 0.05;  // of edges that models give as one
+constexpr double kTouching_m = 0.05;  // between edges that coincide in a model
 
-/// Where a face lies from one of its level edges.
+/// Where a face lies relative to one of its level edges.
 enum class EdgeSide : std::uint8_t { kBelow, kAbove, kBeside };
 
 struct LevelEdge {
@@ -51,7 +51,7 @@ std::vector<LevelEdge> level_edges(std::span<const RoofFace> faces) {
   return edges;
 }
 
-/// Finds the edge of another face at the middle of an edge.
+/// Finds the edge of another face at the midpoint of an edge.
 class Partners {
  public:
   explicit Partners(const std::vector<LevelEdge>& edges)
@@ -74,8 +74,8 @@ class Partners {
   BoxIndex2 index_;
 };
 
-/// How high the edge lies above the line in which two planes meet; nothing for planes that are
-/// nearly parallel.
+/// How high the edge lies above the line in which two planes meet; empty for nearly parallel
+/// planes.
 std::optional<double> above_intersection_m(const LevelEdge& edge,
                                            const Plane3& a,
                                            const Plane3& b) {

@@ -9,17 +9,17 @@
 
 namespace ridgeline::evaluate {
 
-/// How much a building is too high where its roof's height is commonly given: model minus scan, in
-/// metres, the mean over the edges by their lengths. Empty without such an edge of an evaluated
-/// face.
+/// How much too high a building is at the edges by which roof heights are usually specified: model
+/// minus scan, in metres, averaged over the edges and weighted by their lengths. Empty if no
+/// evaluated face has such an edge.
 struct EdgeHeights {
-  /// Level upper edges of inclined faces, from which a neighbour falls away as well, if there is
-  /// one. The scan's height is that of the line in which the planes of both faces' points meet, so
-  /// that a ridge at the wrong place is not a wrong height; with one plane only, that of the plane
-  /// above the edge.
+  /// Level upper edges of inclined faces, from which the neighbour, if any, falls away as well. The
+  /// scan's height is that of the line in which the planes fitted to the points of both faces meet,
+  /// so that a ridge in the wrong position does not count as a wrong height; with only one plane,
+  /// it is the height of that plane at the edge.
   std::optional<double> ridge_m;
-  /// Level lower edges of inclined faces and the edges of level faces, where no other face joins
-  /// them.
+  /// Level lower edges of inclined faces and the edges of level faces, where they adjoin no other
+  /// face.
   std::optional<double> eave_m;
 };
 

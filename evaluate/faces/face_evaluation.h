@@ -13,19 +13,19 @@
 
 namespace ridgeline::evaluate {
 
-/// What became of a face. Every input face has exactly one status.
+/// The outcome for a face. Every input face has exactly one status.
 enum class FaceStatus : std::uint8_t {
   kEvaluated,
   kNoLidar,     ///< outside the cloud, or too few points over the face
-  kNoPlane,     ///< there are points, but no plane like the face's holds enough of them
-  kTooSmall,    ///< in plan, or too few points away from its outline
-  kSteep,       ///< a wall, which is not seen from above
+  kNoPlane,     ///< there are points, but no plane similar to the face's holds enough of them
+  kTooSmall,    ///< too small in plan, or too few points away from its outline
+  kSteep,       ///< a wall, which cannot be seen from above
   kDegenerate,  ///< RoofFace::degenerate
 };
-/// The name of a status as in the files: `evaluated`, `no_lidar`, ...
+/// The name of a status as used in the files: `evaluated`, `no_lidar`, ...
 const char* name(FaceStatus status);
 
-/// A figure with its 95 % interval, value +- half_width.
+/// A value with its 95 % interval, value +- half_width.
 struct Estimate {
   double value = 0.0;
   double half_width = 0.0;
@@ -33,37 +33,37 @@ struct Estimate {
 
 /// How far a face's plane is from that of its points, model minus scan.
 ///
-/// The intervals take the points' errors as independent, with a sigma estimated from their
-/// residuals (Student's t with n - 3 degrees of freedom). Where neighbours err together, as in the
-/// strips of a scanner, they are too narrow.
+/// The intervals assume that the points' errors are independent, with a sigma estimated from their
+/// residuals (Student's t with n - 3 degrees of freedom). They are too narrow if neighbouring
+/// points have similar errors, as in the strips of a scanner.
 struct PlaneDifference {
   Estimate shift_m;   ///< along the face's normal at its centroid, positive if the face is too high
-  Estimate height_m;  ///< the same vertically
-  Estimate angle_deg;  ///< between both planes, not negative
-  /// Parts of the angle in the face's own axes, which level faces have too. `along` is positive if
-  /// the face rises more than its points up its own slope; `across`, if it rises more to the left
-  /// of that. The slope of a level face is towards y.
+  Estimate height_m;  ///< the same, measured vertically
+  Estimate angle_deg;  ///< between the two planes, not negative
+  /// Components of the angle in the face's own axes, which are also defined for level faces.
+  /// `along` is positive if the face rises more than its points up its own slope; `across`, if it
+  /// rises more to the left of that direction. The slope direction of a level face is y.
   Estimate along_deg, across_deg;
   /// Slope of the face minus that of its points, positive if the face is too steep. Empty if both
-  /// are below 5 degrees.
+  /// slopes are below 5 degrees.
   std::optional<Estimate> pitch_deg;
-  /// Direction of the face's fall minus that of its points, clockwise from above, from -180 to 180.
-  /// Empty if one of both slopes is below 5 degrees.
+  /// Downslope direction of the face minus that of its points, clockwise seen from above, from -180
+  /// to 180. Empty if either slope is below 5 degrees.
   std::optional<Estimate> aspect_deg;
 };
 
-/// Where an edge of a face's outline should be by the points beside it.
+/// Where an edge of a face's outline should be, according to the points beside it.
 struct EdgeOffset {
-  std::size_t edge = 0;  ///< place in PlanPolygon::edges()
-  /// How far the edge lies outwards of the border of the points on the plane; negative if the face
-  /// is too small. At most kFaceReach_m either way: then the border may be farther off.
+  std::size_t edge = 0;  ///< index in PlanPolygon::edges()
+  /// How far the edge lies outside the border of the points on the plane; negative if the face is
+  /// too small. At most kFaceReach_m either way; at that limit the border may lie farther away.
   double offset_m = 0.0;
-  /// Points that speak for this place rather than for the edge's own: those that its plane lacks,
-  /// or has beyond the edge.
+  /// Number of points that support this position rather than the edge's own: those that are missing
+  /// on the face's plane, or that lie on it beyond the edge.
   int n_contradictions = 0;
 };
 
-/// What is wrong with a face. Several may be.
+/// What is wrong with a face; several may apply.
 struct FaceVerdict {
   bool height = false, tilt = false, outline = false;
   [[nodiscard]] bool right() const { return !height && !tilt && !outline; }
@@ -71,27 +71,28 @@ struct FaceVerdict {
 /// "right", "height", "tilt", "outline", or several of the latter: "height+outline".
 std::string text(const FaceVerdict& verdict);
 
-/// The judgement of one face. All but id, status and the areas is set only for status `evaluated`,
-/// n_over also otherwise.
+/// The judgement of one face. Except for id, status, the areas, n_over and n_unexplained, all
+/// fields are set only for status `evaluated`.
 struct FaceEvaluation {
   std::string id;
   FaceStatus status = FaceStatus::kDegenerate;
   double area_m2 = 0.0;       ///< on its plane
   double plan_area_m2 = 0.0;  ///< in plan
   int n_over = 0;             ///< points over the face in plan
-  int n_unexplained = 0;      ///< of these, on no plane of this face or of one within reach; all of
-                              ///< them without a plane
+  int n_unexplained = 0;      ///< of these, those on the plane of neither this face nor one within
+                              ///< reach; all of them if there is no plane
 
-  PlaneFit fit;  ///< of the points of the face; `n` of them
+  PlaneFit fit;  ///< of the points of the face; `n` is their number
   PlaneDifference difference;
-  double share_on_plane = 0.0;  ///< of the points over the face, without those near its outline
-  double covered_share = 0.0;   ///< of the area in plan that has points on the plane nearby
-  /// Area in plan beside the face, within reach, where its plane goes on in the points and no other
-  /// face lies on it.
+  double share_on_plane = 0.0;  ///< of the points over the face, except those near its outline
+  double covered_share = 0.0;   ///< share of the area in plan that has points on the plane nearby
+  /// Area in plan beside the face, within reach, where points continue its plane and lie on no
+  /// other face.
   double beyond_m2 = 0.0;
-  /// Area in plan within the face where the points lie elsewhere, also on its chimneys and dormers.
+  /// Area in plan within the face where the points lie elsewhere, including on its chimneys and
+  /// dormers.
   double missing_m2 = 0.0;
-  std::vector<EdgeOffset> edges;  ///< of those that are long enough, see outline.h
+  std::vector<EdgeOffset> edges;  ///< of the edges with enough points beside them; see outline.h
   FaceVerdict verdict;
 };
 

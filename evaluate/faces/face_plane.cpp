@@ -14,10 +14,10 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// The consensus looks at this many points at most; the fit takes all of them.
+/// The consensus uses at most this many points; the fit uses all of them.
 constexpr std::size_t kMaxSearchedPoints = 2000;
 
-/// The points that a plane like the face's own can hold.
+/// The points that a plane similar to the face's own can hold.
 std::vector<ZonePoint> candidates(std::span<const FacePoint> points,
                                   const RoofFace& face,
                                   const JudgeOptions& options) {
@@ -25,8 +25,8 @@ std::vector<ZonePoint> candidates(std::span<const FacePoint> points,
   const double tilt_rad = kMaxFaceTilt_deg * kRadPerDeg;
   constexpr double kNearlyUpright_rad = 89.0 * kRadPerDeg;
   const double steeper = std::tan(std::min(slope_rad + tilt_rad, kNearlyUpright_rad));
-  // how far a plane of another tilt gets away from the face's own, per metre from the centroid in
-  // plan
+  // how far a plane of another tilt departs from the face's own, per metre in plan from the
+  // centroid
   const double spread =
       std::max(steeper - std::tan(slope_rad), std::tan(slope_rad) - std::tan(slope_rad - tilt_rad));
   const double farthest_m = kMaxFaceHeight_m + options.inlier_distance_m / face.plane.normal().z();
@@ -67,11 +67,11 @@ std::vector<Eigen::Vector3d> inliers_of(const std::vector<ZonePoint>& points,
   return inliers;
 }
 
-/// Total least squares of the points within the limit, repeated until these stay the same.
+/// Total least squares fit to the points within the limit, repeated until these stay the same.
 std::optional<PlaneFit> settled_fit(const std::vector<ZonePoint>& points,
                                     const Plane3& start,
                                     const JudgeOptions& options) {
-  constexpr int kMaxPasses = 20;  // 3 to 6 as a rule; two sets may take turns
+  constexpr int kMaxPasses = 20;  // usually 3 to 6; two sets may alternate
   const double limit_m = options.inlier_distance_m;
   std::vector<Eigen::Vector3d> inliers = inliers_of(points, start, limit_m);
   std::optional<PlaneFit> fit;
@@ -86,7 +86,7 @@ std::optional<PlaneFit> settled_fit(const std::vector<ZonePoint>& points,
   return fit;
 }
 
-/// Variance of a standard normal distribution that is cut off at -k and k.
+/// Variance of a standard normal distribution truncated at -k and k.
 double variance_cut_off_at(double k) {
   const double density = std::exp(-0.5 * k * k) / std::sqrt(2.0 * std::numbers::pi);
   return 1.0 - 2.0 * k * density / (2.0 * normal_cdf(k) - 1.0);

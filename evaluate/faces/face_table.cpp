@@ -31,9 +31,9 @@ std::optional<double> largest_offset_m(const FaceEvaluation& face) {
   return largest;
 }
 
-/// All columns from n_on_plane on.
+/// All columns from n_on_plane onwards.
 std::string figures(const FaceEvaluation& face) {
-  if (face.status != FaceStatus::kEvaluated) return std::string(17, ',');  // one before each
+  if (face.status != FaceStatus::kEvaluated) return std::string(17, ',');  // one comma before each
   const PlaneDifference& d = face.difference;
   return fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{}", face.fit.n, cell(face.fit.rms_m),
                      cells(d.shift_m), cells(d.height_m), cells(d.angle_deg), cells(d.pitch_deg),

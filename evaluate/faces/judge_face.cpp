@@ -16,7 +16,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// Why a face cannot be judged, whatever the cloud holds; `evaluated` if it can.
+/// Why a face cannot be judged, whatever the cloud contains; `evaluated` if it can.
 FaceStatus status_of(const RoofFace& face, const JudgeOptions& options) {
   if (face.degenerate) return FaceStatus::kDegenerate;
   const double slope_deg = slope_rad(face.plane) / kRadPerDeg;
@@ -37,7 +37,7 @@ double share_on(const Plane3& plane,
   return static_cast<double>(n_on) / std::max(1, count(points, inside));
 }
 
-/// A circle of this radius has eight points on average.
+/// The radius of a circle that contains eight points on average.
 double cover_radius_m(double points_per_m2) {
   return std::sqrt(8.0 / (std::numbers::pi * points_per_m2));
 }
@@ -54,8 +54,8 @@ std::vector<Eigen::Vector2d> points_on(const Plane3& plane,
   return on_plane;
 }
 
-/// Points on the wall below an edge and those that rays past it meet are neither missing nor
-/// unexplained, unless the edge is too far out.
+/// Points on the wall below an edge, and points hit by rays that pass the edge, are neither missing
+/// nor unexplained, unless the edge is too far out.
 void set_areas(std::span<const FacePoint> points,
                std::span<const PlacedPoint> places,
                const RoofFace& face,
@@ -67,7 +67,7 @@ void set_areas(std::span<const FacePoint> points,
              return other.face->plan.contains(x);
            });
   };
-  const double deepest_m = 2.0 * kFaceReach_m / kMaxRayTangent;  // neighbours are known so far
+  const double deepest_m = 2.0 * kFaceReach_m / kMaxRayTangent;  // limit of the known neighbours
   const auto is_below_edge = [&](const FacePoint& p) {
     const auto edge = std::ranges::find(evaluation.edges, p.edge, &EdgeOffset::edge);
     if (edge != evaluation.edges.end() && edge->offset_m > 0.0 && is_off(*edge)) return false;

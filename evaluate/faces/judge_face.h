@@ -11,30 +11,31 @@
 
 namespace ridgeline::evaluate {
 
-/// First the plane of a face's points, or why there is none.
+/// Step 1: finds the plane of a face's points, or the reason why there is none.
 FaceEvaluation find_plane(const PointSearch& search,
                           const RoofFace& face,
                           const JudgeOptions& options);
 
-/// Then, for an evaluation by find_plane(), the plane without the points that a neighbour may own,
-/// and the face's difference to it.
-/// @param neighbours  the other faces around, with their planes by find_plane()
+/// Step 2, for an evaluation from find_plane(): refits the plane without the points that may belong
+/// to a neighbour, and computes the face's difference from it.
+/// @param neighbours  the other faces around, with their planes from find_plane()
 void refine_plane(const PointSearch& search,
                   const RoofFace& face,
                   std::span<const NeighbourFace> neighbours,
                   const JudgeOptions& options,
                   FaceEvaluation& evaluation);
 
-/// At last the outline, what the points over the face lie on, and the verdict.
-/// @param neighbours  as before: where the points lie on a neighbour's plane as well, the face does
-/// not go on beyond its outline
+/// Step 3: judges the outline, determines where the points over the face lie, and sets the verdict.
+/// @param neighbours  as before: where the points also lie on a neighbour's plane, the face does
+/// not continue beyond its outline
 void judge_outline(const PointSearch& search,
                    const RoofFace& face,
                    std::span<const NeighbourFace> neighbours,
                    const JudgeOptions& options,
                    FaceEvaluation& evaluation);
 
-/// All three for a face that stands alone. Every face gets a status; a bad face never throws.
+/// All three steps for a face without neighbours. Every face gets a status; an invalid face never
+/// throws.
 FaceEvaluation judge_face(const PointSearch& search,
                           const RoofFace& face,
                           const JudgeOptions& options);

@@ -32,7 +32,7 @@ BoxIndex2 index_of(const std::vector<const RoofFace*>& faces) {
   return BoxIndex2(std::move(boxes));
 }
 
-/// The faces within reach of each one, with the planes found for them.
+/// The faces within reach of each face, with the planes found for them.
 class Neighbours {
  public:
   Neighbours(const std::vector<const RoofFace*>& faces,

@@ -13,8 +13,9 @@ namespace ridgeline::evaluate {
 
 /// Judges every face of every building, in parallel; results are in the order of the buildings and
 /// their faces and do not depend on the number of threads. Each face is judged by its own points;
-/// the faces around it, also of other buildings, only explain points beside it and over it. Ids of
-/// faces need not be unique. Throws std::invalid_argument for an option out of its range.
+/// the surrounding faces, including those of other buildings, only explain points beside and over
+/// it. Ids of faces need not be unique. Throws std::invalid_argument for an option out of its
+/// range.
 std::vector<std::vector<FaceEvaluation>> judge_faces(const PointSearch& search,
                                                      std::span<const RoofBuilding> buildings,
                                                      const JudgeOptions& options);

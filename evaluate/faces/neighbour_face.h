@@ -6,7 +6,7 @@
 
 namespace ridgeline::evaluate {
 
-/// Another face, which points beside a face may lie on.
+/// Another face, on which points beside a face may lie.
 struct NeighbourFace {
   const RoofFace* face = nullptr;
   const PlaneFit* fit = nullptr;  ///< nullptr if no plane was found in its points

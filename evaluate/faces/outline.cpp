@@ -44,8 +44,8 @@ PlacedPoint placed(const FacePoint& point,
   return result;
 }
 
-/// The places in plan beside an edge that are nearer to it than to any other, by their distance
-/// from it.
+/// The positions in plan beside an edge that are closer to it than to any other edge, by their
+/// distance from it.
 class EdgeCell {
  public:
   EdgeCell(const PlanPolygon& plan, std::size_t edge, double reach_m) : step_m_(reach_m / kSteps) {
@@ -68,8 +68,8 @@ class EdgeCell {
   static constexpr int kSteps = 6;
   static constexpr int kPlaces = 16;  // along the edge
 
-  /// The length of the edge beside which places at this distance belong to it, within the polygon
-  /// and outside of it.
+  /// The length of the part of the edge to which positions at this distance belong, inside the
+  /// polygon and outside it.
   static std::pair<double, double> widths_m(const PlanPolygon& plan,
                                             std::size_t edge,
                                             double distance_m) {
@@ -89,25 +89,25 @@ class EdgeCell {
   }
 
   double step_m_;
-  std::vector<double> inside_m2_{0.0}, outside_m2_{0.0};  // up to each step
+  std::vector<double> inside_m2_{0.0}, outside_m2_{0.0};  // cumulative up to each step
 };
 
-/// What the points beside an edge say of it.
+/// The evidence of the points beside an edge.
 struct Votes {
   std::vector<double> on_m, off_m;  ///< how far beyond the edge they lie
   double points_per_m2 = 0.0;       ///< of the face on its plane
 };
 
-/// So many expected points weigh as much as one that lies on the plane. A strip where the plane has
-/// ended still has a share e of the points that it would have: n of m speak for an end with the
-/// log-likelihood ratio (1 - e) m - n log(1 / e).
+/// This many expected points weigh as much as one that lies on the plane. A strip beyond the end of
+/// the plane still has a share e of the points that it would have: n points where m are expected
+/// support an end with the log-likelihood ratio (1 - e) m - n log(1 / e).
 constexpr double kWeightOfOne = 2.56;  // log(1 / e) / (1 - e) with e = 0.1
 
-/// One return below a strip shows that so many rays came through: slanting ones may meet the ground
-/// elsewhere.
+/// One return below a strip is taken as evidence that this many rays passed through: oblique ones
+/// may hit the ground elsewhere.
 constexpr double kRaysOfOne = 3.0;
 
-/// The strips between an edge and the votes on one of its sides, from the nearest vote on.
+/// The strips between an edge and the votes on one of its sides, starting with the nearest vote.
 /// @param sign  -1 for the inner side, 1 for the outer one
 template <typename Visitor>
 void visit_strips(const Votes& votes, const EdgeCell& cell, double sign, const Visitor& visit) {
@@ -121,13 +121,14 @@ void visit_strips(const Votes& votes, const EdgeCell& cell, double sign, const V
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const auto [distance_m, is_on] = sorted[i];
     ++(is_on ? n_on : n_off);
-    if (i + 1 < sorted.size() && sorted[i + 1].first == distance_m) continue;  // at the same place
+    if (i + 1 < sorted.size() && sorted[i + 1].first == distance_m)
+      continue;  // at the same distance
     const double n_whole = votes.points_per_m2 * cell.area_m2(sign * distance_m);
     visit(distance_m, n_on, std::min(kRaysOfOne * n_off, n_whole));
   }
 }
 
-/// The offset of an edge by the votes beside it.
+/// The offset of an edge according to the votes beside it.
 EdgeOffset best_place(std::size_t edge, const Votes& votes, const EdgeCell& cell) {
   EdgeOffset best{edge};
   const auto consider = [&](double offset_m, double n_contradictions) {
@@ -150,7 +151,7 @@ std::vector<PlacedPoint> placed_points(std::span<const FacePoint> points,
                                        const PlaneFit& fit,
                                        std::span<const NeighbourFace> neighbours,
                                        const JudgeOptions& options) {
-  const double reach_m = 2.0 * kFaceReach_m;  // of the face, then of the point
+  const double reach_m = 2.0 * kFaceReach_m;  // once from the face, once from the point
   std::vector<NeighbourFace> near;
   for (const NeighbourFace& other : neighbours) {
     const bool is_near =

@@ -8,15 +8,15 @@
 
 namespace ridgeline::evaluate {
 
-/// Tangent of the largest angle of a laser's ray to the vertical, 31 degrees: airborne scanners
-/// look up to 30 to each side.
+/// Tangent of the largest angle between a laser ray and the vertical, 31 degrees: airborne scanners
+/// look up to 30 degrees to each side.
 inline constexpr double kMaxRayTangent = 0.6;
 
-/// Whether a slanting ray that passes by a roof may have met this place under it: a wall, or the
-/// ground under an overhang.
+/// Whether an oblique ray that passes the edge of a roof may have hit this position below it: a
+/// wall, or the ground under an overhang.
 /// @param x        in plan
 /// @param below_m  how far it lies below the roof
-/// @param is_over  whether a place in plan lies under the roof
+/// @param is_over  whether a position in plan lies under the roof
 template <typename IsOver>
 bool is_under_overhang(const Eigen::Vector2d& x, double below_m, const IsOver& is_over) {
   constexpr int kDirections = 8;

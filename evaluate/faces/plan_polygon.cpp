@@ -6,7 +6,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// Area and first moment of a ring about `origin`, the area not negative.
+/// Area and first moment of a ring about `origin`; the area is not negative.
 struct Moments {
   double area_m2 = 0.0;
   Eigen::Vector2d first_m3 = Eigen::Vector2d::Zero();

@@ -11,31 +11,31 @@
 
 namespace ridgeline::evaluate {
 
-/// A polygon with holes in plan. Its rings may run either way round.
+/// A polygon with holes in plan. Its rings may have either orientation.
 class PlanPolygon {
  public:
-  /// The place on the outline that is nearest to a point.
+  /// The position on the outline that is nearest to a point.
   struct Nearest {
-    std::size_t edge = 0;     ///< place in edges(); the first of several
+    std::size_t edge = 0;     ///< index in edges(); the first if there are several
     double distance_m = 0.0;  ///< not negative
-    bool beside = false;      ///< whether the foot lies within the edge, not at one of its ends
+    bool beside = false;  ///< whether the foot point lies within the edge, not at one of its ends
   };
 
   PlanPolygon() = default;
   /// The first ring is the outer one. Edges of zero length are left out.
   explicit PlanPolygon(const std::vector<std::vector<Eigen::Vector3d>>& rings);
 
-  /// By the even-odd rule; a point on the outline may be either.
+  /// By the even-odd rule; a point on the outline may be either inside or outside.
   [[nodiscard]] bool contains(const Eigen::Vector2d& x) const;
-  /// For a polygon with at least one edge.
+  /// Requires at least one edge.
   [[nodiscard]] Nearest nearest(const Eigen::Vector2d& x) const;
-  /// Distance to the polygon: 0 within.
+  /// Distance to the polygon; 0 inside it.
   [[nodiscard]] double distance_m(const Eigen::Vector2d& x) const;
 
   [[nodiscard]] const std::vector<Segment2>& edges() const { return edges_; }
   [[nodiscard]] const Eigen::AlignedBox2d& box() const { return box_; }
   [[nodiscard]] double area_m2() const { return area_m2_; }
-  /// The centre of gravity; the middle of the box if the area is 0.
+  /// The centroid; the middle of the box if the area is 0.
   [[nodiscard]] const Eigen::Vector2d& centroid() const { return centroid_; }
 
  private:

@@ -16,13 +16,14 @@ namespace {
 constexpr double kLevel_rad = 5.0 * kRadPerDeg;  // as in roof_kind.cpp
 constexpr int kParameters = 3;                   // of a plane
 
-/// Horizontal unit vector to the left of a plane's slope, and the one up its slope, in the plane.
+/// Horizontal unit vector to the left of a plane's slope, and unit vector up its slope, in the
+/// plane.
 struct SlopeAxes {
   Eigen::Vector3d left, up;
 };
 
 SlopeAxes slope_axes(const Plane3& plane) {
-  constexpr double kLevel = 1e-9;  // a tilt that is rounding
+  constexpr double kLevel = 1e-9;  // a smaller tilt is due to rounding
   const Eigen::Vector3d& n = plane.normal();
   const Eigen::Vector2d fall = n.head<2>();
   const Eigen::Vector2d rise =
@@ -31,7 +32,7 @@ SlopeAxes slope_axes(const Plane3& plane) {
   return {left, left.cross(n)};
 }
 
-/// The covariance of a fitted plane's normal, which moves within the plane.
+/// The covariance of a fitted plane's normal, whose error lies within the plane.
 Eigen::Matrix2d normal_covariance(const PlaneFit& fit) {
   const double variance_m2 = fit.sigma0_m * fit.sigma0_m;
   return (variance_m2 * fit.spread_m2.cwiseInverse()).asDiagonal();
@@ -43,9 +44,9 @@ class HalfWidth {
   explicit HalfWidth(const PlaneFit& fit)
       : fit_(fit), quantile_(student_t_quantile(fit.n - kParameters, 0.975)) {}
 
-  /// Of the plane's distance at a point of it, along its normal.
+  /// Of the plane's distance at a point on it, along its normal.
   [[nodiscard]] double at(const Eigen::Vector3d& x) const { return quantile_ * fit_.sigma_at(x); }
-  /// Of a figure that changes by gradient . dn with the plane's normal n.
+  /// Of a value that changes by gradient . dn with the plane's normal n.
   [[nodiscard]] double of_normal(const Eigen::Vector3d& gradient) const {
     const Eigen::Vector2d in_plane = fit_.axes.transpose() * gradient;
     return quantile_ * std::sqrt(in_plane.dot(normal_covariance(fit_) * in_plane));
@@ -56,8 +57,8 @@ class HalfWidth {
   double quantile_;
 };
 
-/// The angle from the face's normal to the fitted one towards `axis`, which is at right angles to
-/// the former.
+/// The angle from the face's normal to the fitted one towards `axis`, which is perpendicular to the
+/// face's normal.
 Estimate part_of_angle(const RoofFace& face,
                        const PlaneFit& fit,
                        const Eigen::Vector3d& axis,
@@ -74,14 +75,14 @@ Estimate angle_between(const RoofFace& face, const PlaneFit& fit, const HalfWidt
   const Eigen::Vector3d& n = fit.plane.normal();
   constexpr double kExact = 1e-15;
   const Eigen::Vector3d towards_own = own - own.dot(n) * n;  // of length sin(angle)
-  const double sine = towards_own.norm();  // of equal planes the direction is rounding
+  const double sine = towards_own.norm();  // for equal planes the direction is only rounding
   const Eigen::Vector3d gradient = towards_own / std::max(sine, kExact);
   return {std::atan2(sine, own.dot(n)) / kRadPerDeg, half_width.of_normal(gradient) / kRadPerDeg};
 }
 
 double wrapped_deg(double angle_deg) { return std::remainder(angle_deg, 360.0); }
 
-/// Direction of a plane's fall, clockwise from y.
+/// Downslope direction of a plane, clockwise from y.
 double aspect_deg(const Plane3& plane) {
   return std::atan2(plane.normal().x(), plane.normal().y()) / kRadPerDeg;
 }
@@ -106,8 +107,8 @@ bool exceeds(const Estimate& estimate, double tolerance) {
   return std::abs(estimate.value) - estimate.half_width > tolerance;
 }
 
-/// The smallest distance of the face's vertices above the plane of its points, or below it,
-/// whichever the centroid is.
+/// The smallest distance of the face's vertices above the plane of its points, or below it for a
+/// negative `sign`.
 double smallest_shift_m(const RoofFace& face, const PlaneFit& fit, double sign) {
   double smallest_m = HUGE_VAL;
   for (const Eigen::Vector3d& vertex : face.rings.front()) {

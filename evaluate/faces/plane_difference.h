@@ -6,13 +6,13 @@
 
 namespace ridgeline::evaluate {
 
-/// How far a face is from the plane of its points. Neither may be upright, and the angle between
-/// both must be below 90 degrees.
+/// How far a face is from the plane of its points. Neither may be vertical, and the angle between
+/// them must be below 90 degrees.
 PlaneDifference difference_of(const RoofFace& face, const PlaneFit& fit);
 
-/// Whether a face's height and tilt are wrong: so that the whole interval is beyond the tolerance.
-/// A face of wrong tilt is too high or too low as well only if it is so by more than the tolerance
-/// at all of its vertices: a face that was turned about its eave or its ridge is not.
+/// Whether a face's height and tilt are wrong, i.e. whether the whole interval lies beyond the
+/// tolerance. A face with a wrong tilt is also too high or too low only if it is so by more than
+/// the tolerance at all of its vertices; a face rotated about its eave or its ridge is not.
 FaceVerdict plane_verdict(const RoofFace& face,
                           const PlaneFit& fit,
                           const PlaneDifference& difference);

@@ -26,7 +26,7 @@ constexpr double kFarBelow_m = 1.5;
 // ASPRS
 constexpr std::uint8_t kUnclassified = 1, kGroundClass = 2;
 
-/// A flat face in space, vertical ones too.
+/// A planar face in space, which may be vertical.
 class FaceSurface {
  public:
   explicit FaceSurface(const RoofFace& face)
@@ -76,7 +76,7 @@ bool is_noise_or_plant_or_water(std::uint8_t of_class) {
   }
 }
 
-/// What the points of one building are compared with.
+/// The surfaces with which the points of one building are compared.
 class BuildingSurfaces {
  public:
   explicit BuildingSurfaces(const RoofBuilding& building) {
@@ -109,8 +109,8 @@ class BuildingSurfaces {
     return nearest_m;
   }
 
-  /// How far a point lies below the part of the roof that is next to it in height, negative above;
-  /// nothing beside the roof.
+  /// How far a point lies below the part of the roof closest to it in height, negative above it;
+  /// empty beside the roof.
   [[nodiscard]] std::optional<double> below_roof_m(const Eigen::Vector3d& x) const {
     std::optional<double> nearest_m;
     for (const RoofFace* roof : roofs_) {
@@ -133,12 +133,12 @@ class BuildingSurfaces {
       for (const Eigen::Vector3d& x : ring) lowest_m_ = std::min(lowest_m_, x.z());
   }
 
-  std::vector<const RoofFace*> roofs_;  // that are not degenerate
+  std::vector<const RoofFace*> roofs_;  // those that are not degenerate
   std::vector<FaceSurface> surfaces_;   // roofs first
   double lowest_m_ = std::numeric_limits<double>::infinity();
 };
 
-/// In the order of their places, whatever the order of the cloud.
+/// Sorted by position, regardless of the order of the cloud.
 std::vector<ClassedPoint> points_of(const PointSearch& search,
                                     const BuildingSurfaces& building,
                                     std::span<const std::uint8_t> classes) {
@@ -166,7 +166,7 @@ double nearest_m(const Eigen::Vector3d& x, std::span<const BuildingSurfaces* con
   return nearest_m;
 }
 
-/// Whether a ray past the roofs may have met a point so far below one.
+/// Whether a ray that passes the roofs may have hit a point this far below one.
 bool is_seen_past_roofs(const Eigen::Vector3d& x,
                         double below_m,
                         std::span<const BuildingSurfaces* const> buildings) {
@@ -176,7 +176,7 @@ bool is_seen_past_roofs(const Eigen::Vector3d& x,
          });
 }
 
-/// The median of distances that agree with each other; nothing if they do not.
+/// The median of distances that agree with each other; empty if they do not.
 std::optional<double> common_distance_m(const std::vector<double>& distances_m) {
   constexpr double kAgree_m = 0.15;
   if (distances_m.empty()) return std::nullopt;
@@ -184,7 +184,7 @@ std::optional<double> common_distance_m(const std::vector<double>& distances_m) 
   return spread_m <= 2.0 * kAgree_m ? quantile(distances_m, 0.5) : std::nullopt;
 }
 
-/// @param around  the building and those that it touches
+/// @param around  the building and those that it adjoins
 PointDistances distances_of(const std::vector<ClassedPoint>& points,
                             const BuildingSurfaces& building,
                             std::span<const BuildingSurfaces* const> around) {
@@ -206,7 +206,7 @@ PointDistances distances_of(const std::vector<ClassedPoint>& points,
     distances.to_roof_m.push_back(std::abs(*below_m));
   }
   distances.parallel_below_m = common_distance_m(below_roof_m);
-  // Of a slope about the middle; the higher ones may be those of walls and bushes.
+  // On a slope, this quantile is near the middle; higher points may belong to walls and bushes.
   constexpr double kLow = 0.3;
   if (!z_over_m.empty() && !z_beside_m.empty())
     distances.above_ground_m =

@@ -12,8 +12,8 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kMaxFaceCoordinate_m = 1e7;  // as in_range() of lines
-constexpr double kMaxFaceExtent_m = 1e4;      // a fault of the file, not a roof
+constexpr double kMaxFaceCoordinate_m = 1e7;  // as in in_range() for lines
+constexpr double kMaxFaceExtent_m = 1e4;      // anything larger is an error in the file, not a roof
 constexpr double kMinArea_m2 = 1e-6;
 
 bool is_fit(const std::vector<Ring>& rings) {

@@ -11,11 +11,11 @@
 namespace ridgeline::evaluate {
 namespace {
 
-// Of faces and edges of models, beside that of the points.
+// Standard deviations of faces and edges of models, in addition to those of the points.
 constexpr double kFaceSigma_m = 0.03;
 constexpr double kEdgeSigma_m = 0.1;
 
-/// Unit vector in plan out of a face across one of its edges.
+/// Unit vector in plan pointing out of a face across one of its edges.
 Eigen::Vector2d outwards(const RoofFace& face, std::size_t edge) {
   constexpr double kStep_m = 1e-3;
   const Segment2& segment = face.plan.edges()[edge];
@@ -54,7 +54,7 @@ class Adjustment {
   Eigen::Vector3d right_ = Eigen::Vector3d::Zero();
 };
 
-/// Whether the border is not farther off than it was looked for.
+/// Whether the border lies within the distance in which it was sought.
 bool is_within_reach(const EdgeOffset& edge) {
   return std::abs(edge.offset_m) < kFaceReach_m - 2.0 * kEdgeSigma_m;
 }

@@ -16,7 +16,7 @@ Eigen::Vector2d direction_of(const Segment2& segment) {
 }  // namespace
 
 BallCover::CoverSteps BallCover::CoverSteps::over(double from_m, double to_m, double longest_m) {
-  // a bird a kilometre up must not make thousands of empty balls
+  // a bird a kilometre up must not cause thousands of empty balls
   constexpr double kMaxSteps = 256.0;
   if (to_m < from_m) return {};
   if (!(longest_m > 0.0)) return {from_m, to_m - from_m, 1};
@@ -30,13 +30,13 @@ int BallCover::CoverSteps::at(double x_m) const {
   return static_cast<int>(std::clamp((x_m - from_m) / step_m, 0.0, count - 1.0));
 }
 
-/// The part of the corridor that lies beside the extent, in steps.
+/// The part of the corridor that overlaps the extent, in steps.
 BallCover::CoverSteps BallCover::steps_along(const Segment2& segment,
                                              const Eigen::Vector2d& direction,
                                              double radius_m,
                                              const Eigen::AlignedBox3d& extent) {
   const Eigen::Vector2d across(-direction.y(), direction.x());
-  // the extent is taken a radius larger, so that rounding loses no point at the border
+  // the extent is enlarged by a radius, so that rounding loses no point at the border
   const Eigen::Vector2d half = 0.5 * extent.sizes().head<2>().array() + radius_m;
   const Eigen::Vector2d centre = Eigen::Vector2d(extent.center().head<2>()) - segment.start;
   const double reach_m = direction.cwiseAbs().dot(half);

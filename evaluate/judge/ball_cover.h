@@ -12,10 +12,10 @@ struct Ball {
   double radius_m;
 };
 
-/// Balls that cover all points of an extent within a radius of a segment in plan, whatever their
-/// height. The corridor is divided into boxes along the segment and over the heights, and each box
-/// lies in a ball. One ball over the whole corridor would take in hundreds of metres of a hilly
-/// cloud.
+/// Balls that together cover all points of an extent that lie within a radius of a segment in plan,
+/// at any height. The corridor is divided into boxes along the segment and over the heights, and
+/// each box lies in a ball. A single ball around the whole corridor would include hundreds of
+/// metres of a hilly cloud.
 class BallCover {
  public:
   /// There are no balls if the corridor lies outside the extent. `segment` must be finite.
@@ -23,15 +23,15 @@ class BallCover {
 
   [[nodiscard]] int size() const { return along_.count * up_.count; }
   [[nodiscard]] Ball ball(int i) const;
-  /// Index of the one ball whose box holds the point; for a point outside the boxes that of the
-  /// nearest box.
+  /// Index of the ball whose box contains the point, or of the nearest box if the point lies
+  /// outside all boxes.
   [[nodiscard]] int ball_of(const Eigen::Vector3d& x) const;
 
  private:
-  /// A range in equal steps; it has no steps by default.
+  /// A range divided into equal steps; empty by default.
   struct CoverSteps {
-    /// As few steps as possible that are not longer than `longest_m`; longer ones if these would be
-    /// very many.
+    /// The smallest number of steps not longer than `longest_m`; the steps are longer if there
+    /// would be very many of them.
     static CoverSteps over(double from_m, double to_m, double longest_m);
     [[nodiscard]] double centre(int i) const { return from_m + (i + 0.5) * step_m; }
     [[nodiscard]] int at(double x_m) const;

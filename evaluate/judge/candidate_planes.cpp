@@ -13,7 +13,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// Mean and root mean square of the seeds' residuals.
+/// Mean and root mean square of the residuals of the seeds.
 std::pair<double, double> residuals(std::span<const ZonePoint> seeds, const Plane3& plane) {
   double sum = 0.0;
   double squares = 0.0;
@@ -26,7 +26,7 @@ std::pair<double, double> residuals(std::span<const ZonePoint> seeds, const Plan
   return {sum / n, std::sqrt(squares / n)};
 }
 
-/// Whether the wider fit still describes the surface at the line. It must not have bent towards a
+/// Whether the wider fit still describes the surface at the line: it must not have tilted towards a
 /// neighbouring facet or followed a curved slope.
 bool fits_locally(const PlaneFit& wide, const FoundPlane& local, const JudgeOptions& options) {
   const auto [mean, rms] = residuals(local.inliers, wide.plane);
@@ -37,7 +37,7 @@ bool fits_locally(const PlaneFit& wide, const FoundPlane& local, const JudgeOpti
          rms <= sigma_m * (1.0 + 3.0 / std::sqrt(2.0 * n)) + slack_m;
 }
 
-/// The found plane extended over the zone, or as it was found if the wider plane does not fit at
+/// The found plane extended over the zone, or the plane as found if the wider one does not fit at
 /// the line.
 CandidatePlane extend(const FoundPlane& found,
                       const ZoneCells& cells,
@@ -57,11 +57,11 @@ CandidatePlane extend(const FoundPlane& found,
 }
 
 /// Whether the plane is a slice of a canopy. A solid surface hides what is below it; a canopy does
-/// not, so that there are many returns below the slice.
+/// not, so there are many returns below the slice.
 bool lets_laser_through(const FoundPlane& plane,
                         std::span<const ZonePoint> zone,
                         const JudgeOptions& options) {
-  constexpr double kMaxShareBelow = 0.5;  // the hull of an L-shaped roof takes in some ground
+  constexpr double kMaxShareBelow = 0.5;  // the hull of an L-shaped roof includes some ground
   const PlanHull hull(plane.inliers);
   const auto below = std::count_if(zone.begin(), zone.end(), [&](const ZonePoint& p) {
     return plane.fit.plane.signedDistance(p.x) < -options.inlier_distance_m &&
@@ -72,7 +72,7 @@ bool lets_laser_through(const FoundPlane& plane,
              static_cast<double>(static_cast<std::size_t>(below) + plane.inliers.size());
 }
 
-/// Two candidates are one plane if they share half of the smaller one's points.
+/// Two candidates are the same plane if they share half of the smaller one's points.
 bool same_plane(const CandidatePlane& a, const CandidatePlane& b) {
   std::size_t shared = 0;
   auto ia = a.inliers.begin();
@@ -91,8 +91,8 @@ bool same_plane(const CandidatePlane& a, const CandidatePlane& b) {
   return 2 * shared >= std::min(a.inliers.size(), b.inliers.size());
 }
 
-/// Whether `small` is no surface of its own, but a few points left over beside a much larger plane
-/// and nearly in it.
+/// Whether `small` is not a separate surface, but a few points left over beside a much larger plane
+/// and almost on it.
 bool shadows(const CandidatePlane& large,
              const CandidatePlane& small,
              const JudgeOptions& options) {
@@ -115,8 +115,8 @@ void drop_shadows(std::vector<CandidatePlane>& candidates, const JudgeOptions& o
   candidates = std::move(kept);
 }
 
-/// The points of a strip t_from <= t <= t_to, a little longer than the line: a short line would
-/// have too few points otherwise.
+/// The points of a strip t_from <= t <= t_to that is slightly longer than the line: for a short
+/// line there would otherwise be too few points.
 std::vector<ZonePoint> strip_of(std::span<const ZonePoint> zone,
                                 const Footprint& footprint,
                                 double t_from,
@@ -147,7 +147,7 @@ std::vector<FoundPlane> planes_beside(std::span<const ZonePoint> zone,
   return found;
 }
 
-/// Adds a plane, or puts it in the place of a smaller part of the same plane.
+/// Adds a plane, or replaces a smaller part of the same plane by it.
 void unite(CandidatePlane plane, std::vector<CandidatePlane>& candidates) {
   std::sort(plane.inliers.begin(), plane.inliers.end(),
             [](const ZonePoint& a, const ZonePoint& b) { return a.rank < b.rank; });
@@ -160,8 +160,8 @@ void unite(CandidatePlane plane, std::vector<CandidatePlane>& candidates) {
   }
 }
 
-/// Whether the plane is too narrow for its tilt to be known. search_ledge() takes such a strip as
-/// level across.
+/// Whether the plane is too narrow for its tilt to be determined. search_ledge() assumes such a
+/// strip to be level across the line.
 bool is_strip(const FoundPlane& plane) {
   constexpr double kMinWidth_m = 0.6;
   // a uniform distribution of this width has the variance width^2 / 12

@@ -10,10 +10,10 @@
 
 namespace ridgeline::evaluate {
 
-/// The planes that could judge a line. They are found among the points of each side of the line,
-/// then among the points that these planes do not explain. Each is extended over its connected
-/// points of the zone and fitted again, and planes that turn out to be the same are united. A ledge
-/// along the line is added. Surfaces that let the laser through (tree canopies) are left out.
+/// The planes that could judge a line. They are searched for among the points on each side of the
+/// line, then among the points that these planes do not explain. Each is extended over its
+/// connected points in the zone and fitted again, and duplicates of the same plane are merged. A
+/// ledge along the line is added. Surfaces that let the laser through (tree canopies) are left out.
 std::vector<CandidatePlane> candidate_planes(std::span<const ZonePoint> zone,
                                              const Footprint& footprint,
                                              const JudgeOptions& options,

@@ -12,7 +12,7 @@ namespace ridgeline::evaluate {
 
 Footprint footprint_of(const Segment3& segment) {
   Segment2 p = plan(segment);
-  // the axes are the same whichever end the file gives first
+  // the axes are the same regardless of which end the file gives first
   if (std::tuple(p.end.x(), p.end.y()) < std::tuple(p.start.x(), p.start.y())) {
     std::swap(p.start, p.end);
   }

@@ -11,9 +11,9 @@
 
 namespace ridgeline::evaluate {
 
-/// The plan view of a line with its own axes: s along from the start, t across, positive to the
-/// left. The start is the end with the smaller x (with equal ones, the smaller y), so that a line
-/// given the other way round has the same axes.
+/// The plan view of a line with its own axes: s along the line from the start, t across, positive
+/// to the left. The start is the end with the smaller x (if equal, the smaller y), so that a line
+/// given in the opposite direction has the same axes.
 struct Footprint {
   Eigen::Vector2d start;
   Eigen::Vector2d along;   ///< unit
@@ -26,7 +26,7 @@ struct Footprint {
   [[nodiscard]] Eigen::Vector2d middle() const { return at(0.5 * length_m); }
 };
 
-/// Throws std::invalid_argument for a segment without plan direction (vertical or a point).
+/// Throws std::invalid_argument for a segment without a direction in plan (vertical or a point).
 Footprint footprint_of(const Segment3& segment);
 
 /// A LIDAR point beside a line.
@@ -37,10 +37,11 @@ struct ZonePoint {
   std::uint32_t rank = 0;  ///< in the zone
 };
 
-/// All points with |t| <= half_width and -end <= s <= length + end, whatever their height: a line
-/// that is metres off in height meets the same points. They are in the order of x, then y, then z,
-/// so that the same points give the same zone however they are spread over files and in whatever
-/// order they come. Points at the same place, which overlapping tiles have, are one point.
+/// All points with |t| <= half_width and -end <= s <= length + end, at any height: a line whose
+/// height is wrong by metres gets the same points. They are sorted by x, then y, then z, so that
+/// the same points give the same zone regardless of how they are distributed over files and in
+/// which order they are read. Points with identical coordinates, which occur in overlapping tiles,
+/// are kept once.
 std::vector<ZonePoint> points_beside(const PointSearch& search,
                                      const Footprint& footprint,
                                      double half_width_m,

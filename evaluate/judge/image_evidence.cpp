@@ -20,7 +20,7 @@ Segment3 at_height(const ImageEvidence& images, double z_m) {
   return {at_height(images, base.start, z_m), at_height(images, base.end, z_m)};
 }
 
-/// A ray's way through the range of heights: its position in plan at each height.
+/// The course of a ray through the range of heights: its position in plan at each height.
 struct ImageRay {
   Eigen::Vector2d at_zero, per_metre;
   [[nodiscard]] Eigen::Vector2d at(double z_m) const { return at_zero + z_m * per_metre; }
@@ -45,7 +45,7 @@ double search_radius_m(const PointSearch& search, const Eigen::Vector2d& x) {
                     kMaxRadius_m);
 }
 
-/// Height of the surface at a share `s` of the segment.
+/// Height of the surface at the fraction `s` of the segment.
 struct HeightSample {
   double s, z_m;
 };
@@ -69,14 +69,14 @@ std::vector<HeightSample> first_hits(const PointSearch& search,
     const double z_m = p.x.z();
     const Eigen::Vector2d x = p.x.head<2>();
     if (!(z_m >= low && z_m <= high)) return;
-    // at one height all rays pass between the outermost ones
+    // at any given height, all rays pass between the outermost ones
     if (distance(Segment2{rays.front().at(z_m), rays.back().at(z_m)}, x) > radius_m) return;
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (z_m <= highest_m[i]) continue;
       if ((rays[i].at(z_m) - x).squaredNorm() <= radius_m * radius_m) highest_m[i] = z_m;
     }
   };
-  // A ray's place at a height is up to half a spacing from the next segment of the sweep.
+  // At a given height, a ray lies up to half a spacing from the next segment of the sweep.
   const double reach_m = 1.5 * radius_m;
   for (const Segment2& segment : plan_sweep(images, radius_m)) {
     search.visit_near(segment, reach_m, meet);
@@ -120,9 +120,9 @@ HeightLine regression(const std::vector<HeightSample>& samples) {
   return {mean_z - slope * mean_s, slope};
 }
 
-/// The samples that agree with a line through two of them, for the line that most agree with.
+/// The samples that agree with a line through two of them, for the line with which the most agree.
 std::vector<HeightSample> consensus(const std::vector<HeightSample>& samples) {
-  // of the segment: closer samples say nothing of its slope
+  // fraction of the segment: closer samples provide no information about its slope
   constexpr double kMinSeparation = 0.25;
   std::vector<HeightSample> best;
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -150,7 +150,7 @@ double across_px2(const ImageObservation& observation, const Segment3& x) {
   return sum;
 }
 
-/// Sum over the observations from `first` on, but those in the image of the base.
+/// Sum over the observations from `first` on, except those in the base image.
 double chi_square_from(const ImageEvidence& images,
                        std::size_t first,
                        const Segment3& x,
@@ -170,7 +170,7 @@ double chi_square_from(const ImageEvidence& images,
 
 std::optional<Segment3> monoplot(const PointSearch& search, const ImageEvidence& images) {
   constexpr double kSpacing_m = 0.25;
-  constexpr double kMinShare = 0.5;  // of the samples on the line found
+  constexpr double kMinShare = 0.5;  // of the samples that must agree with the line found
   const Segment3 midway =
       at_height(images, 0.5 * (images.height_range_m[0] + images.height_range_m[1]));
   if (!all_finite(midway)) return std::nullopt;

@@ -11,23 +11,23 @@
 
 namespace ridgeline::evaluate {
 
-/// The base segment on the LIDAR surface (monoplotting). The rays through samples of the segment
-/// end at the first point of the cloud that they come close to, which is within a radius in plan
-/// that holds two to three points. A line is fitted robustly to the heights so found. Nothing if
-/// most rays meet no point, if no straight line explains them, or if the result has no direction in
-/// plan.
+/// The base segment projected onto the LIDAR surface (monoplotting). The rays through samples of
+/// the segment end at the first point of the cloud that lies close to them, within a radius in plan
+/// that holds two to three points. A line is fitted robustly to the resulting heights. Empty if
+/// most rays meet no point, if no straight line explains the heights, or if the result has no
+/// direction in plan.
 std::optional<Segment3> monoplot(const PointSearch& search, const ImageEvidence& images);
 
-/// Whether an image after the first two says something that they do not: its projection centre lies
-/// 10 degrees off the base of these two, seen from the first.
+/// Whether an image after the first two provides information that they do not: seen from the first
+/// projection centre, its own lies at least 10 degrees off the base of these two.
 bool has_independent_observation(const ImageEvidence& images);
 
-/// How far the observations are from where a plane carries the base observation, across them, in
-/// units of sigma_px squared: mean of both ends, sum over the other images. A single observation
-/// counts 25 at most, as it may be of another edge.
+/// Squared distances of the base observation, transferred via the plane into the other images, from
+/// the straight lines observed there, over sigma_px^2: mean of both ends, sum over the other
+/// images. Each observation contributes at most 25, because it may belong to another edge.
 double observations_chi_square(const ImageEvidence& images, const Plane3& plane, double sigma_px);
 
-/// The same of the line that the first two observations triangulate to, over the images after
+/// The same for the line triangulated from the first two observations, summed over the images after
 /// these.
 double observations_chi_square(const ImageEvidence& images, double sigma_px);
 

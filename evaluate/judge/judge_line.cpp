@@ -40,7 +40,7 @@ std::size_t count_in_corridor(std::span<const ZonePoint> zone,
   }));
 }
 
-/// By how much a line lies above (positive) or below all points, m; 0 between them.
+/// How far a line lies above (positive) or below all points, m; 0 between them.
 double height_off_m(std::span<const ZonePoint> zone, const Segment3& segment) {
   const auto by_height = [](const ZonePoint& p) { return p.x.z(); };
   const auto [lowest, highest] = std::ranges::minmax_element(zone, {}, by_height);
@@ -94,14 +94,14 @@ void summarise(LineEvaluation& e, const JudgedLine& line) {
   if (sigma > 0.0) e.z = signed_mean_m / sigma;
 }
 
-/// Distance of the midpoint from the intersection line of a ridge's planes, and the angle of the
-/// line to it.
+/// Distance of the midpoint from the intersection line of a ridge's planes, and the angle between
+/// the line and that intersection.
 void compare_with_intersection(LineEvaluation& e, const Segment3& segment) {
   const Eigen::Vector3d n1 = e.planes[0].plane.normal();
   const Eigen::Vector3d n2 = e.planes[1].plane.normal();
   const Eigen::Vector3d direction = n1.cross(n2).normalized();
   const Eigen::Vector3d x = midpoint(segment);
-  // to_line leads from x to a point of both planes, at right angles to the intersection line
+  // to_line leads from x to a point on both planes, perpendicular to the intersection line
   Eigen::Matrix3d a;
   a << n1.transpose(), n2.transpose(), direction.transpose();
   const Eigen::Vector3d to_line =
@@ -142,7 +142,7 @@ std::vector<Eigen::Vector2d> hull_in_plan(std::span<const ZonePoint> points) {
   return convex_hull(std::move(xy));
 }
 
-/// What the cloud holds around an edge, and which planes judge it.
+/// What the cloud contains around an edge, and which planes judge it.
 struct LineSurroundings {
   Footprint footprint;
   std::vector<ZonePoint> zone;
@@ -168,10 +168,10 @@ LineSurroundings surroundings(const PointSearch& search,
   return around;
 }
 
-/// The image segment on the LIDAR surface is the footprint, so that all methods meet the same
-/// points. The line itself is the footprint if there is no image, if the rays meet no surface, or
-/// if the line is known to lie on no surface there, which a ray may pass by between two points of
-/// the cloud.
+/// The footprint is the image segment projected onto the LIDAR surface, so that all methods use the
+/// same points. The line itself is the footprint if there is no image, if the rays meet no surface,
+/// or if the line is known to lie on no surface there, as a ray may pass between two points of the
+/// cloud.
 LineSurroundings surroundings(const PointSearch& search,
                               const JudgedLine& line,
                               const JudgeOptions& options) {
@@ -282,7 +282,7 @@ JudgedResult judge_line(const PointSearch& search,
   summarise(e, line);
   if (e.kind == Kind::kRidge) {
     compare_with_intersection(e, line.segment);
-    // each plane rests on the points of its own side only, which may be few
+    // each plane is based on the points of its own side only, which may be few
     if (!reason_too_little_known(candidates, decision.planes, footprint, options)) {
       e.displacement = ridge_displacement(line.segment, {e.planes[0].plane, e.planes[1].plane},
                                           {e.planes[0].sigma_m, e.planes[1].sigma_m});

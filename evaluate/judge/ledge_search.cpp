@@ -46,8 +46,8 @@ std::vector<ZonePoint> on_profile(const std::vector<ZonePoint>& points,
   return near;
 }
 
-/// The points near the profile through two points that has most points near it. At most some
-/// thousand pairs are tried, in a fixed order, so that the result depends on nothing but the
+/// The points near a profile through two points, for the profile with the most points near it. At
+/// most some thousand pairs are tried, in a fixed order, so that the result depends only on the
 /// points.
 std::vector<ZonePoint> best_profile(const std::vector<ZonePoint>& points, double distance_m) {
   constexpr std::size_t kMaxPairs = 2000;
@@ -69,8 +69,8 @@ std::vector<ZonePoint> best_profile(const std::vector<ZonePoint>& points, double
   return best;
 }
 
-/// Extent across the line of all points of the corridor in the plane; a wide surface is no ledge.
-/// The ends of the line are left out, since another parapet may come in from the side there.
+/// Extent across the line of all points of the corridor in the plane; a wide surface is not a
+/// ledge. The ends of the line are left out, since another parapet may adjoin there from the side.
 double width_in(std::span<const ZonePoint> zone,
                 const PlaneFit& fit,
                 const JudgeOptions& options,
@@ -88,7 +88,7 @@ double width_in(std::span<const ZonePoint> zone,
   return highest - lowest;
 }
 
-/// Least squares of the heights along s, as a plane that is level across the line.
+/// Least squares fit of the heights along s, as a plane that is level across the line.
 PlaneFit level_across(const std::vector<ZonePoint>& points, const Footprint& footprint) {
   const auto n = static_cast<double>(points.size());
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
@@ -133,7 +133,8 @@ std::optional<CandidatePlane> search_ledge(std::span<const ZonePoint> zone,
   const std::vector<ZonePoint> points = unexplained_above(zone, candidates, footprint);
   if (points.size() < kMinLedgePoints || points.size() > kMaxPoints) return std::nullopt;
   const std::vector<ZonePoint> strip = best_profile(points, options.inlier_distance_m);
-  // a hedge scatters in height: most of what stands there must be the ledge
+  // a hedge scatters in height: at least half of the points above the surface must belong to the
+  // ledge
   if (strip.size() < kMinLedgePoints || 2 * strip.size() < points.size()) return std::nullopt;
   const PlaneFit fit = level_across(strip, footprint);
   if (width_in(zone, fit, options, footprint.length_m) > kMaxWidth_m) return std::nullopt;

@@ -13,8 +13,8 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// The point's normal with unit length. A point without one gets an upright normal of curvature 1,
-/// which does not count.
+/// The point's normal, with unit length. A point without one gets an upright normal of curvature 1,
+/// which has no effect.
 template <typename PointNT>
 PointNormals::Normal usable_normal(const PointNT& point) {
   const Eigen::Vector3d n(point.normal_x, point.normal_y, point.normal_z);

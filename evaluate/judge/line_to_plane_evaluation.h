@@ -29,8 +29,8 @@ namespace ridgeline::evaluate {
 /// consensus is PCL's; sums and final fits run in double. docs/pcl.md has examples and
 /// measurements.
 ///
-/// Normals take part only after setInputNormals(), as in pcl::SACSegmentationFromNormals. This
-/// holds for a PointNormal cloud too (PointNT is then PointT), since its normals are often empty.
+/// Normals are used only after setInputNormals(), as in pcl::SACSegmentationFromNormals. This also
+/// applies to a PointNormal cloud (PointNT is then PointT), since its normals are often empty.
 // NOLINTBEGIN(readability-identifier-naming): PCL's spelling, as PCL's users know it
 template <typename PointT,
           typename PointNT =
@@ -42,48 +42,49 @@ class LineToPlaneEvaluation : public pcl::PCLBase<PointT> {
   using PointCloudNConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
   using SearchPtr = typename pcl::search::Search<PointT>::Ptr;
 
-  /// Points in local coordinates, metres; non-finite points are left out. setIndices() restricts
-  /// the points.
+  /// Points in local coordinates, metres; non-finite points are ignored. setIndices() restricts the
+  /// points.
   void setInputCloud(const PointCloudConstPtr& cloud) override;
   void setInputLines(std::vector<JudgedLine> lines) {
     lines_ = std::move(lines);
     results_.clear();
   }
 
-  /// How the points near a line are found: pcl::search::KdTree, Octree, BruteForce or any other
-  /// exact search whose const queries may run in several threads. compute() gives it the cloud and
-  /// the indices, and it builds its structure then. Without one, or with a null pointer, a grid of
-  /// our own serves (PointGrid). The results are the same bit by bit.
+  /// The search for the points near a line: pcl::search::KdTree, Octree, BruteForce or any other
+  /// exact search whose const queries may run in several threads. compute() passes it the cloud and
+  /// the indices, from which it then builds its structure. If none is set, or a null pointer,
+  /// PointGrid is used. The results are bit-identical.
   void setSearchMethod(const SearchPtr& search) { search_ = search; }
-  /// The search method; null unless it was set.
+  /// The search method; null if none was set.
   [[nodiscard]] const SearchPtr& getSearchMethod() const { return search_; }
 
-  /// Normals for the sample consensus, one a point of the cloud, of any length and either sign. A
-  /// point whose normal is zero or not finite, or whose curvature is not finite, counts by its
-  /// distance alone; a curvature below 0 counts as 0, one above 1 as 1. A null pointer means no
+  /// Normals for the sample consensus, one per point of the cloud, of any length and either sign. A
+  /// point whose normal is zero or not finite, or whose curvature is not finite, is rated by its
+  /// distance only; a curvature below 0 is treated as 0, one above 1 as 1. A null pointer means no
   /// normals.
   void setInputNormals(const PointCloudNConstPtr& normals) { normals_ = normals; }
   [[nodiscard]] const PointCloudNConstPtr& getInputNormals() const { return normals_; }
-  /// How much the angle between a point's normal and the plane's counts (radians) against the
-  /// distance (metres), from 0 to 1; 0.1 by default, as in PCL. See PointNormals.
+  /// The weight, from 0 to 1, of the angle between a point's normal and the plane's (radians)
+  /// relative to the distance (metres); 0.1 by default, as in PCL. See PointNormals.
   void setNormalDistanceWeight(double weight) { normal_weight_ = weight; }
   [[nodiscard]] double getNormalDistanceWeight() const { return normal_weight_; }
 
   /// The sample consensus; MSAC by default.
   void setMethodType(SampleConsensus method) { options_.method = method; }
-  /// Largest distance of a plane's point, as in pcl::SACSegmentation.
+  /// Largest distance of a point from its plane, as in pcl::SACSegmentation.
   void setDistanceThreshold(double threshold_m) { options_.inlier_distance_m = threshold_m; }
   void setMaxIterations(int iterations) { options_.max_iterations = iterations; }
   /// Half width of the corridor around a line, in plan.
   void setSearchHalfWidth(double half_width_m) { options_.corridor_half_width_m = half_width_m; }
-  /// Size of the own grid's cells; without effect on a search method.
+  /// Cell size of PointGrid; no effect if a search method is set.
   void setSearchCellSize(double cell_m) { cell_m_ = cell_m; }
   void setOptions(const JudgeOptions& options) { options_ = options; }
   [[nodiscard]] const JudgeOptions& getOptions() const { return options_; }
 
-  /// One judgement a line, in the order of the lines.
-  /// Throws std::invalid_argument without a cloud, for an option out of its range, for normals of
-  /// another number than the points, and for a search method that does not find the cloud's points.
+  /// One judgement per line, in the order of the lines.
+  /// Throws std::invalid_argument if there is no cloud, an option is out of its range, the number
+  /// of normals differs from that of the points, or the search method does not find the cloud's
+  /// points.
   std::vector<LineEvaluation> compute();
 
   /// The planes of a line after compute(): values (nx, ny, nz, d), local frame, normal upwards.

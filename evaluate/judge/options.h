@@ -8,39 +8,40 @@
 
 namespace ridgeline::evaluate {
 
-/// Sample consensus methods of PCL that behave on roofs. RRANSAC and RMSAC can loop for ever and
+/// Sample consensus methods of PCL that work well on roofs. RRANSAC and RMSAC can loop for ever and
 /// MLESAC finds the wrong plane in two of three patches, so they are not offered.
 enum class SampleConsensus : std::uint8_t { kMsac, kRansac, kProsac };
 
-/// A ridge needs normals that differ by at least this (calibration.md, thresholds of the judge).
+/// The minimum angle between the normals of a ridge's planes (calibration.md, thresholds of the
+/// judge).
 inline constexpr double kMinAngleOfRidge_deg = 10.0;
 
-/// How lines are judged, see judge_line(). Lengths in metres of the local frame.
+/// How lines are judged; see judge_line(). Lengths in metres of the local frame.
 struct JudgeOptions {
   SampleConsensus method = SampleConsensus::kMsac;
 
   /// Range noise of the cloud; thresholds that depend on it are multiples of it.
   double lidar_sigma_m = 0.034;
-  /// Half width of the planimetric corridor. It spans all heights, so that a line metres off in
-  /// height is judged.
+  /// Half width of the planimetric corridor. It spans all heights, so that a line whose height is
+  /// wrong by metres is still judged.
   double corridor_half_width_m = 1.5;
-  /// The corridor is extended by this at both ends of the line.
+  /// The corridor is extended by this length at both ends of the line.
   double corridor_end_m = 0.5;
-  /// Points nearer to the line than this belong to neither side: they straddle the edge.
+  /// Points closer to the line than this belong to neither side: they straddle the edge.
   double side_gap_m = 0.2;
   /// Points within this distance of a plane support it; 3 sigma of the cloud.
   double inlier_distance_m = 0.10;
   int min_points = 10;  ///< of a plane on one side
-  /// A plane's final fit takes connected inliers up to this far from the line, as more points give
-  /// a smaller sigma.
+  /// A plane's final fit uses connected inliers up to this distance from the line, because more
+  /// points give a smaller sigma.
   double fit_half_width_m = 4.0;
   double max_slope_deg = 65.0;  ///< steeper planes are walls, or wall and ground together
   double min_coverage = 0.5;    ///< of the line by the plane's inliers beside it
-  /// Distance of a right line from its surface, whatever its tool states: the covariance in a
-  /// judged file must not choose the surface.
+  /// Standard deviation of the distance of a correct line from its surface, regardless of what its
+  /// tool states: the covariance in a judged file must not influence the choice of surface.
   double place_sigma_m = 0.3;
-  double sigma_edge_px = 1.0;    ///< of an image segment with its orientation
-  double min_probability = 0.9;  ///< of the surface; below, the line is ambiguous
+  double sigma_edge_px = 1.0;    ///< of an image segment, including its orientation
+  double min_probability = 0.9;  ///< of the surface; below it, the line is ambiguous
   int max_iterations = 1000;     ///< of the sample consensus
   bool keep_points = false;      ///< whether to fill JudgedResult::inliers and inlier_points
 

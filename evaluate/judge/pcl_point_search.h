@@ -18,8 +18,8 @@
 
 namespace ridgeline::evaluate {
 
-/// Finds the points near a line by any search of PCL: pcl::search::KdTree, Octree, BruteForce. PCL
-/// searches balls, but the judge asks for all heights over a corridor, so BallCover stacks balls
+/// Finds the points near a line with any PCL search: pcl::search::KdTree, Octree, BruteForce. PCL
+/// searches in balls, but the judge needs all heights within a corridor, so BallCover stacks balls
 /// over the heights of the cloud. The index of a point is its position in `indices`.
 template <typename PointT>
 class PclPointSearch final : public PointSearch {
@@ -27,9 +27,9 @@ class PclPointSearch final : public PointSearch {
   using Search = pcl::search::Search<PointT>;
   using CloudConstPtr = typename pcl::PointCloud<PointT>::ConstPtr;
 
-  /// Gives the cloud to `search`, which builds its structure. Points that are not finite are left
-  /// out. Throws std::invalid_argument for a search that does not find the cloud's own points, such
-  /// as pcl::search::OrganizedNeighbor with a cloud that is not organised.
+  /// Passes the cloud to `search`, which builds its structure. Non-finite points are ignored.
+  /// Throws std::invalid_argument for a search that does not find the cloud's own points, such as
+  /// pcl::search::OrganizedNeighbor with a cloud that is not organised.
   PclPointSearch(typename Search::Ptr search, CloudConstPtr cloud, pcl::IndicesConstPtr indices);
 
  protected:
@@ -55,7 +55,7 @@ PclPointSearch<PointT>::PclPointSearch(typename Search::Ptr search,
                                        pcl::IndicesConstPtr indices)
     : search_(std::move(search)), cloud_(std::move(cloud)), place_in_indices_(cloud_->size()) {
   std::optional<pcl::index_t> last_finite;
-  // the loop runs backwards, so that a point that is listed twice gets its first place, as in
+  // the loop runs backwards, so that a point that is listed twice gets its first position, as in
   // PointGrid
   for (std::size_t place = indices->size(); place-- > 0;) {
     const pcl::index_t i = (*indices)[place];
@@ -66,7 +66,7 @@ PclPointSearch<PointT>::PclPointSearch(typename Search::Ptr search,
     extent_.extend(position(i));
     last_finite = i;
   }
-  if (!last_finite) return;  // PCL builds no structure over nothing
+  if (!last_finite) return;  // PCL builds no structure over an empty cloud
   const QuietPcl quiet;
   search_->setInputCloud(cloud_, indices);
   pcl::Indices found;
@@ -78,7 +78,7 @@ PclPointSearch<PointT>::PclPointSearch(typename Search::Ptr search,
 
 template <typename PointT>
 void PclPointSearch<PointT>::find_within(const Ball& ball, pcl::Indices& found) const {
-  // PCL compares in float; the margin covers what rounding the centre and the squares may lose
+  // PCL compares in float; the margin covers the rounding of the centre and of the squares
   const double largest_m = extent_.min().cwiseAbs().cwiseMax(extent_.max().cwiseAbs()).maxCoeff();
   const double margin_m = 1e-6 * largest_m + 1e-5 * ball.radius_m;
   PointT centre;
@@ -100,7 +100,7 @@ void PclPointSearch<PointT>::visit_runs_near(const Segment2& segment,
     run.clear();
     for (const pcl::index_t k : found) {
       const Point point{position(k), place_in_indices_[static_cast<std::size_t>(k)]};
-      // balls overlap: a point belongs to one of them
+      // balls overlap: a point is reported by one of them only
       if (cover.ball_of(point.x) == i) run.push_back(point);
     }
     visit(run);

@@ -15,8 +15,8 @@ double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
-/// One side of Andrew's monotone chain: sorted points -> the corners that turn left, without the
-/// last one, which begins the other side.
+/// One side of Andrew's monotone chain: the left-turning corners of sorted points, without the last
+/// one, which begins the other side.
 template <typename Iterator>
 void add_chain(Iterator first, Iterator last, std::vector<Eigen::Vector2d>& corners) {
   const std::size_t base = corners.size();

@@ -10,8 +10,8 @@
 
 namespace ridgeline::evaluate {
 
-/// The corners of the convex hull, counter-clockwise from the least x. For points on one line these
-/// are its two ends, for one point the point; for no points there are none.
+/// The corners of the convex hull, counter-clockwise, starting at the smallest x. For collinear
+/// points these are the two end points, for a single point the point itself; empty for no points.
 std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points);
 
 /// Convex hull of points in the footprint's axes (s, t).
@@ -19,9 +19,9 @@ class PlanHull {
  public:
   explicit PlanHull(std::span<const ZonePoint> points);
 
-  /// Whether the point lies in the hull or on its border; a hull without area contains nothing.
+  /// Whether the point lies inside the hull or on its border; a hull without area contains nothing.
   [[nodiscard]] bool contains(const Eigen::Vector2d& st) const;
-  /// Distance of the point from the hull; 0 inside, infinite for a hull of no points.
+  /// Distance of the point from the hull; 0 inside, infinite for the hull of no points.
   [[nodiscard]] double distance_to(const Eigen::Vector2d& st) const;
 
  private:

@@ -16,7 +16,7 @@ double PlaneFit::sigma_at(const Eigen::Vector3d& x) const {
 
 std::optional<PlaneFit> fit_plane(std::span<const Eigen::Vector3d> points) {
   constexpr std::size_t kMinPoints = 4;  // 3 unknowns and one residual
-  constexpr double kCollinear = 1e-6;    // spread across / along, squared: 1 mm on 1 m
+  constexpr double kCollinear = 1e-6;  // squared ratio of the spreads across and along: 1 mm on 1 m
   if (points.size() < kMinPoints) return std::nullopt;
 
   const auto n = static_cast<double>(points.size());

@@ -14,7 +14,7 @@ namespace ridgeline::evaluate {
 namespace {
 
 /// Labels of points by their keys, in a table with open addressing: a cloud has millions of points,
-/// and their keys are hashes already.
+/// and their keys are already hashes.
 class PointLabels {
  public:
   PointLabels() : keys_(kFirstSlots, 0), labels_(kFirstSlots, 0) {}
@@ -34,7 +34,7 @@ class PointLabels {
  private:
   static constexpr std::size_t kFirstSlots = 1U << 10U;
 
-  /// The slot where the key is, or would be put.
+  /// The slot that holds the key, or where it would be inserted.
   [[nodiscard]] std::size_t slot_of(std::uint64_t key) const {
     const std::size_t mask = labels_.size() - 1;
     std::size_t slot = key & mask;
@@ -60,7 +60,7 @@ class PointLabels {
 
 std::array<double, 3> key_of(const Eigen::Vector3d& x) { return {x.x(), x.y(), x.z()}; }
 
-/// The numbers of the lines that planes judged, by their place.
+/// The numbers of the lines that have planes, sorted by position.
 std::vector<std::size_t> judged_by_place(std::span<LineEvaluation* const> lines) {
   const auto place = [&](std::size_t i) {
     const auto& [start, end] = *lines[i]->segment;
@@ -75,9 +75,9 @@ std::vector<std::size_t> judged_by_place(std::span<LineEvaluation* const> lines)
   return order;
 }
 
-/// The id of the plane that a plane shares most of its points with; 0 if there is none.
+/// The id of the plane with which a plane shares most of its points; 0 if there is none.
 std::uint64_t common_id(const PlanePoints& points, std::span<LineEvaluation* const> lines) {
-  constexpr double kShared = 0.3;  // neighbouring facets share only the points at their edge
+  constexpr double kShared = 0.3;  // neighbouring facets share only the points at their common edge
   std::map<std::uint64_t, std::size_t> votes;
   for (const SharedPoints& shared : points.shared) {
     check(shared.line < lines.size(), "a plane shares points with line ", shared.line, " of ",
@@ -102,7 +102,7 @@ std::uint64_t common_id(const PlanePoints& points, std::span<LineEvaluation* con
 void find_shared_points(std::span<JudgedResult> results) {
   std::vector<LineEvaluation*> lines;
   for (JudgedResult& result : results) lines.push_back(&result.evaluation);
-  PointLabels first;  // the number of the plane that has a point, from 1
+  PointLabels first;  // the number, from 1, of the plane that has a point
   std::vector<std::pair<std::size_t, std::size_t>> planes;
   for (const std::size_t i : judged_by_place(lines)) {
     for (std::size_t p = 0; p < results[i].inlier_keys.size(); ++p) {

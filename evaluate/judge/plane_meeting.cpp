@@ -23,7 +23,7 @@ struct PlanIntersection {
 };
 
 std::optional<PlanIntersection> intersect_in_plan(const Plane3& a, const Plane3& b) {
-  constexpr double kParallel = 1e-6;  // gradients that differ by 1 mm a kilometre
+  constexpr double kParallel = 1e-6;  // gradients that differ by 1 mm per kilometre
   const Eigen::Vector2d difference = gradient(a) - gradient(b);
   const double steepness = difference.norm();
   if (!(steepness > kParallel)) return std::nullopt;
@@ -41,7 +41,7 @@ SideShare sides_of(const CandidatePlane& plane,
                    const PlanIntersection& line,
                    double length_m,
                    double near_m) {
-  // points this close to the intersection say nothing about the side: they are in both planes
+  // points this close to the intersection provide no evidence of the side: they lie in both planes
   constexpr double kOnLine_m = 0.2;
   std::size_t positive = 0;
   std::size_t counted = 0;
@@ -86,8 +86,8 @@ std::optional<PlaneMeeting> meeting_of(const CandidatePlane& a,
                                        const CandidatePlane& b,
                                        const Footprint& footprint,
                                        const JudgeOptions& options) {
-  // least difference of the planes' shares of points on one side; it is not 1, as a main roof goes
-  // on behind a dormer
+  // minimum difference between the planes' shares of points on one side; less than 1, because a
+  // main roof continues behind a dormer
   constexpr double kOneSided = 0.55;
   const auto line = intersect_in_plan(a.fit.plane, b.fit.plane);
   if (!line) return std::nullopt;
@@ -107,7 +107,7 @@ std::optional<PlaneMeeting> meeting_of(const CandidatePlane& a,
 }
 
 void separate_at_intersection(CandidatePlane& a, CandidatePlane& b) {
-  constexpr int kPasses = 3;  // the intersection moves by less each time
+  constexpr int kPasses = 3;  // the intersection moves less in each pass
   const std::vector<ZonePoint> all_a = a.inliers;
   const std::vector<ZonePoint> all_b = b.inliers;
   for (int pass = 0; pass < kPasses; ++pass) {

@@ -27,8 +27,8 @@ using Model = pcl::SampleConsensusModel<pcl::PointXYZ>;
 using PlaneModel = pcl::SampleConsensusModelPlane<pcl::PointXYZ>;
 using NormalPlaneModel = pcl::SampleConsensusModelNormalPlane<pcl::PointXYZ, pcl::Normal>;
 
-/// Puts the points into an order that has nothing to do with their places, but depends on nothing
-/// else: the samples of neighbouring points would be alike otherwise.
+/// Puts the points into an order that is unrelated to their positions but reproducible: otherwise
+/// samples of neighbouring points would be similar.
 void scatter(std::vector<ZonePoint>& points) {
   SplitMix64 random(1);
   for (std::size_t i = points.size(); i > 1; --i) {
@@ -37,7 +37,7 @@ void scatter(std::vector<ZonePoint>& points) {
 }
 
 /// Sorts the points for PROSAC, which tries the first ones first: those nearest to the line are the
-/// likeliest to matter.
+/// most likely to be relevant.
 void sort_by_distance(std::vector<ZonePoint>& points) {
   std::sort(points.begin(), points.end(), [](const ZonePoint& a, const ZonePoint& b) {
     return std::pair(std::abs(a.t), a.rank) < std::pair(std::abs(b.t), b.rank);
@@ -45,7 +45,7 @@ void sort_by_distance(std::vector<ZonePoint>& points) {
 }
 
 /// The points as floats relative to an integer centre, in steps of 2^-14 m (0.06 mm). They are
-/// small enough for float to be exact, and have the same bits wherever the scene lies in its map
+/// small enough to be exact in float, and have the same bits wherever the scene lies in its map
 /// frame.
 Cloud::Ptr recentred_cloud(const std::vector<ZonePoint>& points, const Eigen::Vector3d& centre) {
   constexpr double kSteps = 16384.0;
@@ -95,11 +95,11 @@ std::unique_ptr<pcl::SampleConsensus<pcl::PointXYZ>> sample_consensus(SampleCons
   return std::make_unique<pcl::MEstimatorSampleConsensus<pcl::PointXYZ>>(model, threshold_m);
 }
 
-/// The plane that PCL finds, in the local frame.
+/// The plane found by PCL, in the local frame.
 std::optional<Plane3> consensus_plane(const std::vector<ZonePoint>& points,
                                       const JudgeOptions& options,
                                       const PointNormals& normals) {
-  constexpr double kSure = 0.9999;  // that a sample of the best plane was drawn
+  constexpr double kSure = 0.9999;  // probability that a sample of the best plane was drawn
   std::vector<ZonePoint> order = points;
   if (options.method == SampleConsensus::kProsac) {
     sort_by_distance(order);
@@ -136,7 +136,7 @@ std::vector<Eigen::Vector3d> supporters(const std::vector<ZonePoint>& points,
 std::optional<PlaneFit> settled_fit(const std::vector<ZonePoint>& points,
                                     const Plane3& start,
                                     const JudgeOptions& options) {
-  constexpr int kMaxPasses = 30;  // a few are enough; more only where two sets take turns
+  constexpr int kMaxPasses = 30;  // a few are enough; more only if two sets alternate
   std::optional<PlaneFit> fit;
   Plane3 plane = start;
   for (int pass = 0; pass < kMaxPasses; ++pass) {

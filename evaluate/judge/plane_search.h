@@ -18,15 +18,17 @@ struct FoundPlane {
 };
 
 /// Planes of one side by sequential PCL sample consensus: the best plane of the points, then the
-/// best of the rest, until fewer than `min_points` agree. Each is refined by total least squares in
-/// double. Walls (steeper than max_slope_deg) use up their points but are not returned.
+/// best plane of the remaining ones, until fewer than `min_points` agree. Each is refined by total
+/// least squares in double. Walls (steeper than max_slope_deg) use up their points but are not
+/// returned.
 ///
-/// Nothing but the points decides: PCL's generator has a fixed seed, draws until it is all but
-/// certain that it has met the best plane, and meets the points in an order that depends on their
-/// number alone. The plane found is refined until its points stay the same.
+/// The result depends only on the points: PCL's random generator has a fixed seed, sampling
+/// continues until the best plane has almost certainly been drawn, and the points are visited in an
+/// order that depends only on their number. The plane found is refined until its points stay the
+/// same.
 ///
-/// With normals the consensus takes these into account too, see PointNormals. The refinement and
-/// the inliers go by distance alone.
+/// If normals are given, the consensus takes them into account too; see PointNormals. The
+/// refinement and the inliers depend only on the distance.
 std::vector<FoundPlane> search_planes(std::span<const ZonePoint> side,
                                       const JudgeOptions& options,
                                       const PointNormals& normals = {});

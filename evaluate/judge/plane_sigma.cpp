@@ -14,14 +14,14 @@ namespace {
 
 constexpr int kParameters = 3;  // of a plane
 
-/// By how much the 95 % interval is wider than that of a sigma known for certain.
+/// The factor by which the 95 % interval is wider than for a sigma that is known exactly.
 double widening(int degrees_of_freedom) {
   constexpr double kNormal = 1.959964;
   if (degrees_of_freedom < 1) return std::numeric_limits<double>::infinity();
   return student_t_quantile(degrees_of_freedom, 0.975) / kNormal;
 }
 
-/// (1, u, v) with the coordinates of x in the plane.
+/// (1, u, v), with (u, v) the coordinates of x in the plane.
 Eigen::Vector3d row_of(const PlaneFit& fit, const Eigen::Vector3d& x) {
   const Eigen::Vector2d uv = fit.axes.transpose() * (x - fit.centroid);
   return {1.0, uv.x(), uv.y()};
@@ -41,7 +41,7 @@ double cluster_robust_sigma_m(const PlaneFit& fit,
   if (n_cells <= kParameters) return 0.0;
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (const auto& [cell, sum] : sums) scatter += sum * sum.transpose();
-  // the axes are principal and begin at the centroid, so that the normal equations are diagonal
+  // the axes are principal and originate at the centroid, so that the normal equations are diagonal
   const Eigen::Vector3d influence =
       row_of(fit, x).cwiseQuotient(Eigen::Vector3d(fit.n, fit.spread_m2.x(), fit.spread_m2.y()));
   const double few_cells = static_cast<double>(n_cells) / (n_cells - kParameters);

@@ -38,7 +38,7 @@ double coverage_along(std::span<const ZonePoint> points, double length_m, double
   for (const ZonePoint& p : points) s.push_back(p.s);
   std::sort(s.begin(), s.end());
   double covered = 0.0;
-  double end = 0.0;  // end of what is covered so far
+  double end = 0.0;  // end of the part covered so far
   for (const double centre : s) {
     const double from = std::clamp(centre - reach_m, end, length_m);
     const double to = std::clamp(centre + reach_m, end, length_m);
@@ -57,7 +57,7 @@ double extrapolation_beyond(std::span<const ZonePoint> points, const Footprint& 
 void trim(CandidatePlane& plane, double inlier_distance_m) {
   constexpr int kMaxPasses = 20;
   constexpr double kMinDistance_m = 1e-6;       // below the resolution of any cloud
-  constexpr double kThreeSigma = 3.0 * 1.4826;  // of a median of absolute normal residuals
+  constexpr double kThreeSigma = 3.0 * 1.4826;  // factor on the median of absolute normal residuals
   for (int pass = 0; pass < kMaxPasses; ++pass) {
     const double limit_m = std::clamp(kThreeSigma * median_distance(plane.inliers, plane.fit.plane),
                                       kMinDistance_m, inlier_distance_m);
@@ -90,7 +90,8 @@ std::optional<std::string> reason_too_little_known(std::span<const CandidatePlan
                                                    std::span<const std::size_t> chosen,
                                                    const Footprint& footprint,
                                                    const JudgeOptions& options) {
-  // a plane must be known as well as by this many laser points on the line; three make a plane
+  // a plane must be known as accurately as from this many laser points on the line; three define a
+  // plane
   constexpr double kMinPoints = 3.0;
   const double known_to_m = options.lidar_sigma_m / std::sqrt(kMinPoints);
   const Eigen::Vector2d middle = footprint.middle();

@@ -22,7 +22,7 @@ void PointGrid::set_extent(const Extent& extent, double cell_m) {
   }
   lowest_ = extent.lowest;
   const Eigen::Vector2d size = extent.highest - extent.lowest;
-  // two distant points must not make a grid of billions of empty cells
+  // two distant points must not produce a grid of billions of empty cells
   const double most_cells = 4.0 * static_cast<double>(extent.n_finite) + 1024.0;
   const auto cells = [&](double c) { return (size.x() / c + 1.0) * (size.y() / c + 1.0); };
   while (cells(cell_m_) > most_cells) cell_m_ *= 2.0;
@@ -49,7 +49,7 @@ void PointGrid::visit_runs_near(const Segment2& segment,
   const Eigen::Vector2d high = segment.start.cwiseMax(segment.end).array() + radius_m;
   const double reach = radius_m + cell_m_ * 0.7072;  // a cell's centre to its corner
   for (std::ptrdiff_t row = row_of(low.y()); row <= row_of(high.y()); ++row) {
-    // the cells near a segment lie side by side in a row, and so do their points
+    // the cells near a segment are contiguous in a row, and so are their points
     std::uint32_t begin = 0;
     std::uint32_t end = 0;
     for (std::ptrdiff_t column = column_of(low.x()); column <= column_of(high.x()); ++column) {

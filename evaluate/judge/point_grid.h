@@ -15,13 +15,13 @@
 namespace ridgeline::evaluate {
 
 /// A 2D grid of cells over a cloud in compressed row form: the points are stored cell by cell, so a
-/// query reads consecutive memory. Built in O(n); a query's time depends on the local density only.
-/// Within a cell points keep their input order, so results do not depend on threads.
+/// query reads consecutive memory. Built in O(n); the time of a query depends only on the local
+/// density. Within a cell, points keep their input order, so results do not depend on threads.
 class PointGrid final : public PointSearch {
  public:
   /// A grid of `count` points, the i-th given by `x_in_local(i)` (Eigen::Vector3d); non-finite
-  /// points are left out. Cells are squares of `cell_m`, enlarged if the extent would need more
-  /// than about four cells a point. Throws std::invalid_argument for 2^32 points or more, or a cell
+  /// points are ignored. Cells are squares of `cell_m`, enlarged if the extent would need more than
+  /// about four cells per point. Throws std::invalid_argument for 2^32 points or more, or a cell
   /// size <= 0.
   template <typename Accessor>
   static PointGrid build(std::size_t count, const Accessor& x_in_local, double cell_m = 1.0);

@@ -14,8 +14,8 @@
 
 namespace ridgeline::evaluate {
 
-/// Where the judge finds the points near a line: PointGrid or PclPointSearch. The judge applies its
-/// exact tests itself and sorts what it keeps by position, so that its results do not depend on the
+/// Finds the points near a line for the judge: PointGrid or PclPointSearch. The judge applies its
+/// own exact tests and sorts what it keeps by position, so that its results do not depend on the
 /// search. Queries are const and may run in several threads at once.
 class PointSearch {
  public:
@@ -26,8 +26,8 @@ class PointSearch {
 
   virtual ~PointSearch() = default;
 
-  /// Calls `visit(point)` once for every point within `radius_m` of the segment in plan, whatever
-  /// its height, and for some a little farther: the caller applies its own exact test.
+  /// Calls `visit(point)` once for every point within `radius_m` of the segment in plan, at any
+  /// height, and for some points slightly farther away: the caller applies its own exact test.
   template <typename Visitor>
   void visit_near(const Segment2& segment, double radius_m, Visitor&& visit) const {
     visit_runs_near(segment, radius_m, [&visit](Run run) {
@@ -35,12 +35,12 @@ class PointSearch {
     });
   }
 
-  /// Number of points within `radius_m` of `x` in plan, bounds included; points at the same place
-  /// are one.
+  /// Number of points within `radius_m` of `x` in plan, bounds included; points at the same
+  /// position count once.
   [[nodiscard]] std::size_t count_within(const Eigen::Vector2d& x, double radius_m) const;
 
   void set_normals(PointNormals normals) { normals_ = std::move(normals); }
-  /// None unless they were set.
+  /// Empty unless they were set.
   [[nodiscard]] const PointNormals& normals() const { return normals_; }
 
  protected:
@@ -52,8 +52,8 @@ class PointSearch {
   PointSearch& operator=(const PointSearch&) = default;
   PointSearch& operator=(PointSearch&&) = default;
 
-  /// visit_near() by runs of points that lie one after another in memory: one call a run costs
-  /// nothing beside the tests of its points.
+  /// visit_near() by runs of points that are contiguous in memory: the cost of one call per run is
+  /// negligible compared with that of testing its points.
   virtual void visit_runs_near(const Segment2& segment,
                                double radius_m,
                                const std::function<void(Run)>& visit) const = 0;

@@ -3,9 +3,10 @@
 
 namespace ridgeline::evaluate {
 
-/// Silences PCL as long as one exists, in any thread: PCL prints every degenerate sample to stderr,
-/// and has one level for all threads. Whatever calls PCL holds one; they may be nested. The level
-/// before the first one comes back after the last.
+/// Silences PCL as long as an object of this class exists, in any thread: PCL reports every
+/// degenerate sample on stderr and has a single verbosity level for all threads. All code that
+/// calls PCL holds such an object; the objects may be nested. The original level is restored when
+/// the last one is destroyed.
 class QuietPcl {
  public:
   QuietPcl();

@@ -9,7 +9,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// Distance of the middle of a plane's points above another plane.
+/// Distance of the centre of a plane's outline from another plane, positive above it.
 double height_above(const PlanesById& planes, std::uint64_t id, const Plane3& other) {
   const auto found = planes.find(id);
   if (found == planes.end() || found->second->outline.empty()) return 0.0;

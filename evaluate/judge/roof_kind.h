@@ -11,10 +11,10 @@ namespace ridgeline::evaluate {
 
 using PlanesById = std::map<std::uint64_t, const JudgedPlane*>;
 
-/// The kind of edge that a judged line is on its roof, by its planes; "" if it was not judged.
-///   ridge   level edge that two planes fall away from
-///   hip     inclined edge that two planes fall away from
-///   valley  edge that two planes rise from
+/// The kind of roof edge that a judged line is, according to its planes; "" if it was not judged.
+///   ridge   level edge from which two planes fall away
+///   hip     inclined edge from which two planes fall away
+///   valley  edge from which two planes rise
 ///   eave    border of an inclined plane across its slope (more than 45 degrees from it in plan)
 ///   verge   border of an inclined plane along its slope (up to 45 degrees from it in plan)
 ///   step    border of a level plane

@@ -15,7 +15,8 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// Mean over the line of the squared distance from the planes of a hypothesis, over its variance.
+/// Mean over the line of the squared distance from the planes of a hypothesis, divided by its
+/// variance.
 double place_chi_square(const SurfaceHypothesis& h,
                         std::span<const CandidatePlane> candidates,
                         const Segment3& segment,
@@ -29,8 +30,8 @@ double place_chi_square(const SurfaceHypothesis& h,
   return sum / static_cast<double>(h.planes.size());
 }
 
-/// Densities of the distance of a line from its surface, in units of that of a right line that lies
-/// on a plane.
+/// Densities of the distance of a line from its surface, relative to that of a correct line that
+/// lies on a plane.
 struct PlaceDensities {
   double wrong;   ///< of a wrong line, which may be anywhere
   double object;  ///< of the edge of an object, which lies within kMaxObjectDistance_m of a plane
@@ -49,7 +50,8 @@ double log_place(const SurfaceHypothesis& h,
                   place_densities(options).wrong);
 }
 
-/// Of an object: what the cloud has no plane for lies near what it has one for, or has some points.
+/// For an object: what has no plane in the cloud lies near something that has one, or has some
+/// points.
 double log_place_of_object(std::span<const SurfaceHypothesis> hypotheses,
                            std::span<const CandidatePlane> candidates,
                            const Segment3& segment,
@@ -83,7 +85,7 @@ double log_images(const SurfaceHypothesis& h,
 constexpr std::array kOrder{DecidedBy::kPlan, DecidedBy::kImages, DecidedBy::kPoints,
                             DecidedBy::kPlace};
 
-/// The sum of the evidence in kOrder, up to and with one kind.
+/// The sum of the evidence in kOrder, up to and including one kind.
 double up_to(const SurfaceEvidence& e, DecidedBy last) {
   const std::array parts{e.plan, e.images, e.points, e.place};
   const auto n = static_cast<std::ptrdiff_t>(last) + 1;
@@ -101,7 +103,7 @@ std::vector<double> probabilities(std::span<const SurfaceEvidence> evidence, Dec
   return p;
 }
 
-/// Whether two hypotheses give a line the same distance.
+/// Whether two hypotheses give the same distance of a line.
 bool are_one_surface(const SurfaceHypothesis& a, const SurfaceHypothesis& b) {
   constexpr double kSame_m = 0.15;
   if (a.surface == JudgingSurface::kObject || b.surface == JudgingSurface::kObject)
@@ -120,7 +122,7 @@ double probability_of(std::size_t chosen,
   return sum;
 }
 
-/// Probability that a line lies on none of the surfaces that it may be an edge of.
+/// Probability that a line lies on none of the surfaces of which it may be an edge.
 double probability_of_wrong(std::span<const SurfaceEvidence> evidence, std::span<const double> p) {
   double sum = 0.0;
   for (std::size_t i = 0; i < p.size(); ++i) sum += p[i] * evidence[i].wrong;
@@ -143,7 +145,7 @@ std::size_t likeliest(std::span<const SurfaceHypothesis> hypotheses,
   return *best;
 }
 
-/// The first kind of evidence from which on the surface stays probable, whatever is added.
+/// The first kind of evidence from which on the surface remains probable, whatever is added.
 DecidedBy decided_by(std::size_t chosen,
                      std::span<const SurfaceHypothesis> hypotheses,
                      std::span<const SurfaceEvidence> evidence,
@@ -185,7 +187,7 @@ const char* words(JudgingSurface surface) {
   return "nothing";
 }
 
-/// Whether both sides of the line carry the plane, so that the line runs inside it.
+/// Whether the plane has points on both sides of the line, so that the line runs inside it.
 bool runs_inside(const CandidatePlane& plane, const JudgeOptions& options) {
   const double gap = options.side_gap_m;
   const auto left =

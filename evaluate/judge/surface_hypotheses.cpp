@@ -12,23 +12,23 @@ namespace ridgeline::evaluate {
 namespace {
 
 constexpr double kHigher_m =
-    0.3;  // a surface that is less higher is the same one, or hides nothing
+    0.3;  // a surface that is higher by less than this is the same one, or hides nothing
 constexpr double kStorey_m = 2.0;
 
-// Between a line and the intersection line of the planes of a ridge, in plan: the largest distance,
-// at both ends, and the largest angle (calibration.md, thresholds of the judge).
+// Limits between a line and the intersection line of a ridge's planes, in plan: the largest
+// distance, at both ends, and the largest angle (calibration.md, thresholds of the judge).
 constexpr double kMaxRidgeOffset_m = 1.0;
 constexpr double kMaxRidgeDirection_deg = 15.0;
 
-/// How far a plane's points reach across a line, in stretches along it: -HUGE_VAL, HUGE_VAL where
-/// there are none.
+/// How far a plane's points extend across a line, for each stretch along it; HUGE_VAL and -HUGE_VAL
+/// if a stretch has no points.
 struct Reach {
   std::vector<double> lowest_t, highest_t;
 };
 
 class Stretches {
  public:
-  /// A line of 5 m has five stretches of 1 m, however its coordinates are rounded.
+  /// A line of 5 m has five stretches of 1 m, regardless of how its coordinates are rounded.
   static constexpr double kRounding = 1e-6;
 
   Stretches(double length_m, double spacing_m)
@@ -57,8 +57,8 @@ class Stretches {
   std::size_t n_;
 };
 
-/// By how much the plane goes on beyond the line, on the side with fewer of its points; negative if
-/// it ends before it.
+/// How far the plane continues beyond the line, on the side with fewer of its points; negative if
+/// it ends before the line.
 double beyond_line_m(const CandidatePlane& plane, const Reach& reach) {
   std::ptrdiff_t more_left = 0;
   for (const ZonePoint& p : plane.beside) more_left += p.t > 0.0 ? 1 : -1;
@@ -70,7 +70,7 @@ double beyond_line_m(const CandidatePlane& plane, const Reach& reach) {
   return beyond.empty() ? -HUGE_VAL : upper_median(std::move(beyond));
 }
 
-/// A candidate with what its place in plan and height is to the line and to the other candidates.
+/// A candidate and its position in plan and height relative to the line and the other candidates.
 struct PlacedPlane {
   std::size_t candidate;
   Reach reach;
@@ -78,7 +78,7 @@ struct PlacedPlane {
   double height_m;  ///< at the middle of the line
 };
 
-/// Share of the line over which one of the higher planes lies.
+/// Share of the line over which one of the higher planes extends.
 double covered_share(const PlacedPlane& plane,
                      std::span<const PlacedPlane> all,
                      const Stretches& stretches) {
@@ -97,9 +97,9 @@ double covered_share(const PlacedPlane& plane,
   return static_cast<double>(n) / static_cast<double>(stretches.n());
 }
 
-constexpr double kNotOn = 1.5;  // of the inliers' distance
+constexpr double kNotOn = 1.5;  // times the inlier distance
 
-/// A point beside the line that no candidate explains.
+/// Whether no candidate explains a point beside the line.
 bool is_unexplained(const ZonePoint& p,
                     std::span<const CandidatePlane> candidates,
                     const JudgeOptions& options) {
@@ -110,7 +110,7 @@ bool is_unexplained(const ZonePoint& p,
 
 struct PointsBeside {
   std::vector<ZonePoint> unexplained;
-  std::size_t n_beside = 0, n_in = 0;  ///< all points within kBeside_m and kIn_m
+  std::size_t n_beside = 0, n_in = 0;  ///< number of all points within kBeside_m and kIn_m
   bool one_side_empty = false;
 };
 constexpr double kBeside_m = 0.8;
@@ -145,8 +145,8 @@ double standing_share(const PointsBeside& beside,
                       const Plane3& plane,
                       double within_m,
                       std::size_t of) {
-  constexpr double kMinHeightAbove_m = 0.2;  // a nearer point may belong to the surface
-  constexpr double kMaxHeightAbove_m = 2.0;  // points farther up, of canopies, hide no edge
+  constexpr double kMinHeightAbove_m = 0.2;  // a closer point may belong to the surface
+  constexpr double kMaxHeightAbove_m = 2.0;  // points higher up, in canopies, hide no edge
   const auto n = std::ranges::count_if(beside.unexplained, [&](const ZonePoint& p) {
     const double above_m = plane.signedDistance(p.x);
     return std::abs(p.t) <= within_m && above_m > kMinHeightAbove_m && above_m < kMaxHeightAbove_m;
@@ -167,8 +167,8 @@ double accompanied_share(const PointsBeside& beside,
   return coverage_along(near, length_m, reach_m);
 }
 
-/// Whether a plane has points next to the line on its inside, at least half as many as on its
-/// outside. A roof goes on beyond a dormer, so that points farther away say nothing.
+/// Whether a plane has points next to the line on its inner side, at least half as many as on its
+/// outer side. A roof continues behind a dormer, so points farther away are no evidence.
 bool lies_inside(const CandidatePlane& plane,
                  const Footprint& footprint,
                  const JudgeOptions& options,
@@ -188,7 +188,7 @@ Eigen::Vector2d heights_at_ends(const Plane3& plane, const Footprint& footprint)
   return {height_at(plane, footprint.start), height_at(plane, footprint.at(footprint.length_m))};
 }
 
-/// Divides 1 between the two knots next to the border's place.
+/// Splits the value 1 between the two knots next to the position of the border.
 void add_border(double beyond_m, std::size_t first_term, SurfaceHypothesis& h) {
   const double x = std::clamp(beyond_m, kBorders_m.front(), kBorders_m.back());
   std::size_t i = 0;
@@ -287,7 +287,7 @@ class Hypotheses {
                            : JudgingSurface::kUpper;
     h.planes = {plane.candidate};
     h.heights_m = heights_at_ends(candidate.fit.plane, footprint_);
-    // points end before the border of their plane, by half their distance on average over a stretch
+    // points end before the border of their plane, on average by half their spacing over a stretch
     add_border(plane.beyond_m + 0.25 * spacing_m_, is_lower ? kLowerBorder : kUpperBorder, h);
     h.plan[kIsGround] = is_ground ? 1.0 : 0.0;
     add_step_above(plane, h);
@@ -320,8 +320,8 @@ class Hypotheses {
     return h;
   }
 
-  /// Whether the point lies under a plane or its border, as the returns of a wall do. These stand
-  /// on no surface.
+  /// Whether the point lies under a plane or its border, like the returns of a wall. Such points
+  /// stand on no surface.
   [[nodiscard]] bool is_on_wall(const ZonePoint& p) const {
     constexpr double kUnder_m = 0.2;
     constexpr double kBeyondBorder_m = 0.3;
@@ -332,7 +332,7 @@ class Hypotheses {
     });
   }
 
-  /// The terms of a plane by the next higher one.
+  /// The terms of a plane that depend on the next higher one.
   void add_step_above(const PlacedPlane& plane, SurfaceHypothesis& h) const {
     constexpr double kAtBorder_m = 0.3;
     const PlacedPlane* next = nullptr;

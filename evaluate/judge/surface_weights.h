@@ -7,7 +7,7 @@
 
 namespace ridgeline::evaluate {
 
-// By maximum likelihood; docs/calibration.md names the data.
+// Estimated by maximum likelihood; docs/calibration.md names the data.
 
 inline constexpr std::array<double, kNumPlanTerms> kPlanWeights{
     4.92,    // kUpperBorder, -0.8 m
@@ -44,10 +44,10 @@ inline constexpr std::array<double, kNumPlanTerms> kPlanWeights{
 /// Weight of SurfaceHypothesis::accompanied.
 inline constexpr double kAccompaniedWeight = 3.80;
 
-/// Share of wrong lines over the heights that they may have, against that of right ones.
+/// Ratio of wrong to correct lines, divided by the range of heights that a wrong line may have.
 inline constexpr double kWrongDensityPerMetre = 0.0020;
-/// How far a surface that the cloud has no plane for lies from the next one that it has a plane
-/// for: a hedge, a dormer's roof.
+/// The largest distance of a surface for which the cloud has no plane from the next one for which
+/// it has one: a hedge, a dormer's roof.
 inline constexpr double kMaxObjectDistance_m = 1.8;
 
 }  // namespace ridgeline::evaluate

@@ -12,8 +12,8 @@
 
 namespace ridgeline::evaluate {
 
-/// Points of a zone sorted into square cells of the footprint's axes, to follow a surface from cell
-/// to cell. Refers to the zone, which must outlive it.
+/// Points of a zone sorted into square cells along the footprint's axes, so that a surface can be
+/// followed from cell to cell. Refers to the zone, which must outlive it.
 class ZoneCells {
  public:
   ZoneCells(std::span<const ZonePoint> zone, double cell_m) : zone_(zone), cell_m_(cell_m) {
@@ -36,8 +36,8 @@ class ZoneCells {
            static_cast<std::size_t>(column);
   }
 
-  /// The zone's points on the plane that are connected to a seed through neighbouring cells, in
-  /// the order in which the cells are reached.
+  /// The zone's points on the plane that are connected to a seed through neighbouring cells, in the
+  /// order in which the cells are reached.
   [[nodiscard]] std::vector<ZonePoint> connected_inliers(std::span<const ZonePoint> seeds,
                                                          const Plane3& plane,
                                                          double distance_m) const {
@@ -52,7 +52,7 @@ class ZoneCells {
       for (const std::uint32_t i : cells_[cell]) {
         if (plane.absDistance(zone_[i].x) <= distance_m) inliers.push_back(zone_[i]);
       }
-      // a wall or a tree that crosses the plane is no bridge to what lies beyond
+      // a wall or a tree that crosses the plane does not connect it to what lies beyond
       const auto in_plane = static_cast<double>(inliers.size() - before);
       if (in_plane < kOwnCell * static_cast<double>(cells_[cell].size()) && next >= n_seed_cells) {
         inliers.resize(before);
@@ -64,7 +64,7 @@ class ZoneCells {
   }
 
  private:
-  static constexpr double kOwnCell = 0.4;  ///< share of a cell's points that makes it the plane's
+  static constexpr double kOwnCell = 0.4;  ///< minimum share of a cell's points on the plane
 
   static void reach(std::size_t cell, std::vector<char>& reached, std::vector<std::size_t>& front) {
     if (reached[cell] != 0) return;

@@ -11,22 +11,22 @@
 
 namespace ridgeline::evaluate {
 
-/// One RMS, read in three ways; never printed without its label.
+/// One RMS in three interpretations; never printed without its label.
 struct AccuracyNumbers {
-  std::optional<double> observed_m;  ///< against the planes: what the published table holds
-  /// sqrt(observed^2 + sigma_ref^2): against the true datum, as ASPRS Edition 2 counts.
+  std::optional<double> observed_m;  ///< relative to the planes: the value in the published table
+  /// sqrt(observed^2 + sigma_ref^2): relative to the true datum, as required by ASPRS Edition 2.
   std::optional<double> product_m;
-  /// sqrt(observed^2 - sigma_ref^2): of the method alone; empty if below_reference_noise.
+  /// sqrt(observed^2 - sigma_ref^2): of the method only; empty if below_reference_noise.
   std::optional<double> method_only_m;
   double sigma_ref_m = 0.0;
-  bool below_reference_noise = false;  ///< observed < sigma_ref, so method_only_m is not known
+  bool below_reference_noise = false;  ///< observed < sigma_ref, so method_only_m is unknown
 };
 
-/// The three readings of an observed RMS.
+/// The three interpretations of an observed RMS.
 /// Throws std::invalid_argument for a negative observed RMS or sigma_ref.
 AccuracyNumbers accuracy_numbers(std::optional<double> observed_m, double sigma_ref_m);
 
-/// What qualifies the accuracy of a class.
+/// The qualifications of the accuracy of a class.
 struct AccuracyStatement {
   std::string line_class;
   std::size_t n = 0;
@@ -34,10 +34,10 @@ struct AccuracyStatement {
   std::size_t n_half_of_squares = 0;         ///< see Summary
   std::optional<double> rms_without_half_m;  ///< see Summary
   bool biased = false;        ///< |mean| above 25 % of the RMS, both of the signed distances
-  bool few_samples = false;   ///< n < 30, the least that ASPRS Edition 2 accepts
+  bool few_samples = false;   ///< n < 30, the minimum that ASPRS Edition 2 accepts
   bool few_clusters = false;  ///< fewer than kMinClusters: the interval is unreliable
-  /// Share of the evaluated lines that reach more than 0.5 m beyond the hull of a plane's inliers,
-  /// where the plane's uncertainty grows quadratically.
+  /// Share of the evaluated lines that extend more than 0.5 m beyond the hull of a plane's inliers,
+  /// where the plane's variance grows quadratically.
   double extrapolated_share = 0.0;
   bool extrapolated = false;  ///< extrapolated_share above 5 %
 

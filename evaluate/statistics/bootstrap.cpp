@@ -37,7 +37,8 @@ std::vector<double> replicate_values(std::size_t n_clusters,
   return values;
 }
 
-/// Acceleration from the jackknife over clusters (Efron 1987, eq. 6.6); 0 where it has no spread.
+/// Acceleration from the jackknife over clusters (Efron 1987, eq. 6.6); 0 if the jackknife values
+/// have no spread.
 double acceleration(std::size_t n_clusters, const ClusterStatistic& statistic) {
   std::vector<double> left_out(n_clusters);
   for (std::size_t out = 0; out < n_clusters; ++out) {
@@ -58,8 +59,8 @@ double acceleration(std::size_t n_clusters, const ClusterStatistic& statistic) {
   return std::isfinite(a) ? a : 0.0;
 }
 
-/// The shares of the replicates at which the BCa interval is read off, for the plain shares
-/// (1 -+ level) / 2.
+/// The shares of the replicates between which the BCa interval lies, for the plain shares (1 -+
+/// level) / 2.
 Interval bca_shares(std::span<const double> values,
                     std::size_t n_clusters,
                     const ClusterStatistic& statistic,
@@ -67,7 +68,8 @@ Interval bca_shares(std::span<const double> values,
   std::vector<std::size_t> all(n_clusters);
   std::iota(all.begin(), all.end(), std::size_t{0});
   const double estimate = statistic(all);
-  // Ties count half and the ends are kept off 0 and 1, where the normal quantile is infinite.
+  // Ties count half, and the share is kept away from 0 and 1, where the normal quantile is
+  // infinite.
   double below = 0.5;
   for (const double v : values) below += v < estimate ? 1.0 : (v == estimate ? 0.5 : 0.0);
   const double z0 = normal_quantile(below / (static_cast<double>(values.size()) + 1.0));

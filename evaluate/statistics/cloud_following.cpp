@@ -10,7 +10,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// Height of the surface at the middle of the line: of a ridge the mean of both planes.
+/// Height of the surface at the middle of the line; for a ridge, the mean of both planes.
 double surface_height_m(const Segment3& line, const std::vector<JudgingPlane>& planes) {
   double sum_m = 0.0;
   for (const JudgingPlane& p : planes) sum_m += height_at(p.plane, midpoint(plan(line)));
@@ -23,7 +23,8 @@ double mean_distance_of(const Segment3& line, const std::vector<JudgingPlane>& p
   return sum_m / static_cast<double>(planes.size());
 }
 
-/// A line and itself elsewhere, where the cloud can tell the two places apart.
+/// Whether a line fits in its own position and elsewhere, for positions that the cloud can
+/// distinguish.
 struct PlacePair {
   bool fits = false, fits_elsewhere = false;
 };
@@ -41,7 +42,7 @@ std::optional<PlacePair> pair_of(const Segment3& line,
   const Segment3& elsewhere = moved.decoy.line.segment;
   const double step_m =
       surface_height_m(elsewhere, there.planes) - surface_height_m(line, here.planes);
-  if (!(std::abs(step_m) > 2.0 * kRight_m)) return std::nullopt;  // nor for NaN
+  if (!(std::abs(step_m) > 2.0 * kRight_m)) return std::nullopt;  // also for NaN
   const auto fits = [&](const Segment3& s, const LineEvaluation& judged) {
     return mean_distance_of({s.start - shift_m, s.end - shift_m}, judged.planes) < kRight_m;
   };

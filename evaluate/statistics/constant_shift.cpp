@@ -20,7 +20,7 @@ namespace ridgeline::evaluate {
 namespace {
 
 constexpr double kMaxUndeterminedPart =
-    0.1;  // part of a told axis that lies in directions that are not told
+    0.1;  // maximum component of a determined axis along directions that are not determined
 constexpr double kNormal95 = 1.959964;  // two-sided 95 % quantile of the normal distribution
 
 /// One equation n't = d.
@@ -42,14 +42,14 @@ std::vector<Equation> rows_of(std::span<const LineEvaluation> lines) {
   return rows;
 }
 
-/// The directions that the planes tell, as columns; the other ones complete them to a basis.
+/// The directions that the planes determine, as columns; the others complete them to a basis.
 struct Basis {
   Eigen::Matrix3Xd told, unobservable;
 };
 
-/// The basis with unobservable directions that are nearly level made level. The shift along them is
-/// taken as 0: along slightly tilted ones, a shift of 45 m in height would be a shift of metres in
-/// plan.
+/// The basis with unobservable directions that are nearly level made exactly level. The shift along
+/// them is assumed to be 0: if they were slightly tilted, a shift of 45 m in height would cause a
+/// shift of metres in plan.
 Basis levelled(Basis basis) {
   const Eigen::Index n_unobservable = basis.unobservable.cols();
   if (n_unobservable == 0 || n_unobservable == 3 ||
@@ -71,7 +71,7 @@ Basis levelled(Basis basis) {
 
 Basis basis_of(const std::vector<Equation>& rows) {
   constexpr double kNormalError_rad = 1.0 * kRadPerDeg;
-  constexpr double kMaxPull = 0.1;  // of the estimate to 0, by errors of the normals
+  constexpr double kMaxPull = 0.1;  // of the estimate towards 0, due to errors of the normals
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (const Equation& row : rows) scatter += row.normal * row.normal.transpose();
   scatter /= static_cast<double>(rows.size());
@@ -82,7 +82,7 @@ Basis basis_of(const std::vector<Equation>& rows) {
                    solver.eigenvectors().leftCols(n_unobservable)});
 }
 
-/// The equations in the coordinates of a basis, with the weights of the last step.
+/// The equations in the coordinates of a basis, with the weights of the last iteration.
 class Fit {
  public:
   Fit(const std::vector<Equation>& rows, const Eigen::Matrix3Xd& told)
@@ -91,10 +91,10 @@ class Fit {
     residuals_m_.resize(rows.size());
     weights_.assign(rows.size(), 1.0);
     solve();
-    // least absolute deviations: beyond half of the scale a residual counts by its size
+    // least absolute deviations: beyond half of the scale, a residual is weighted by its magnitude
     iterate(
         [](double r, double scale_m) { return 1.0 / std::max(1.0, 2.0 * std::abs(r) / scale_m); });
-    biweight_m_ = kBiweight * scale_m();  // kept, as lines without a weight would shrink it
+    biweight_m_ = kBiweight * scale_m();  // fixed: lines without weight would shrink it
     iterate([this](double r, double /*scale_m*/) {
       return std::pow(std::max(0.0, 1.0 - std::pow(r / biweight_m_, 2)), 2);
     });
@@ -103,8 +103,8 @@ class Fit {
   [[nodiscard]] const Eigen::VectorXd& shift_m() const { return shift_m_; }
   [[nodiscard]] Eigen::Index n_told() const { return x_.rows(); }
 
-  /// The share of each cluster in what is known along each axis of the basis: sums over clusters
-  /// are 1.
+  /// The share of each cluster in the information along each axis of the basis; the shares of all
+  /// clusters add up to 1.
   [[nodiscard]] std::vector<Eigen::VectorXd> shares() const {
     std::vector<Eigen::VectorXd> parts;
     for (const auto& [label, cluster] : clusters()) {
@@ -155,8 +155,8 @@ class Fit {
     }
   }
 
-  /// NMAD of the residuals about 0. It is no smaller than what the millimetres of a file tell
-  /// apart.
+  /// NMAD of the residuals about 0, but at least half a millimetre, the resolution of coordinates
+  /// that a file gives in millimetres.
   [[nodiscard]] double scale_m() const {
     constexpr double kMinScale_m = 5e-4;
     constexpr double kNormal = 1.4826;
@@ -179,8 +179,8 @@ class Fit {
     }
   }
 
-  /// Mean derivative of the influence function over the mean weight: how much less a residual
-  /// counts than its weight says. It is 0.83 for normal errors.
+  /// Mean derivative of the influence function divided by the mean weight: how much less a residual
+  /// contributes than its weight suggests. It is 0.83 for normal errors.
   [[nodiscard]] double derivative_ratio() const {
     double weights = 0.0;
     double derivatives = 0.0;
@@ -190,7 +190,7 @@ class Fit {
       if (u2 < 1.0) derivatives += (1.0 - u2) * (1.0 - 5.0 * u2);
     }
     constexpr double kMinDerivative =
-        0.1;  // residuals that are spread out make it small, and the covariance large
+        0.1;  // widely spread residuals make the ratio small, and the covariance large
     return std::max(kMinDerivative, derivatives / weights);
   }
 
@@ -212,21 +212,22 @@ class Fit {
   }
 
   const std::vector<Equation>& rows_;
-  Eigen::MatrixXd x_;  ///< a column a row: the normal in the basis
+  Eigen::MatrixXd x_;  ///< one column per row: the normal in the basis
   std::vector<double> residuals_m_, weights_;
-  double biweight_m_ = 0.0;  ///< residuals from here on have no weight
+  double biweight_m_ = 0.0;  ///< residuals from this magnitude on have no weight
   Eigen::MatrixXd information_, inverse_;
   Eigen::VectorXd shift_m_;
 };
 
-/// Along each axis of the basis, how many clusters of equal weight would tell as much (Kish 1965).
+/// For each axis of the basis, the number of clusters of equal weight that would provide the same
+/// information (Kish 1965).
 Eigen::VectorXd effective_clusters(const Fit& fit) {
   Eigen::VectorXd squares = Eigen::VectorXd::Zero(fit.n_told());
   for (const Eigen::VectorXd& share : fit.shares()) squares += share.cwiseAbs2();
   return squares.cwiseInverse();
 }
 
-/// Moves the axes that fewer than two clusters tell to those that are not told.
+/// Moves axes determined by fewer than two clusters to those that are not determined.
 bool drop_lonely(const Eigen::VectorXd& n_clusters, Basis& basis) {
   constexpr double kMinEffectiveClusters = 2.0;
   Eigen::Matrix3Xd told(3, 0);
@@ -307,8 +308,8 @@ double least_norm(const Eigen::Vector3d& mean,
                   const Eigen::Matrix3d& covariance,
                   double squared_radius) {
   // The smallest x minimises |x|^2 / 2 + m / 2 (x - mean)' C^-1 (x - mean). Along an axis of C with
-  // variance c it is mean / (1 + s c), s = 1 / m, and lies s^2 mean^2 c / (1 + s c)^2 off the mean,
-  // which grows with s.
+  // variance c it is mean / (1 + s c), s = 1 / m; its squared distance from the mean, normalised by
+  // c, is s^2 mean^2 c / (1 + s c)^2, which grows with s.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   const Eigen::Array3d c = solver.eigenvalues().array().max(0.0);
   const Eigen::Array3d along = (solver.eigenvectors().transpose() * mean).array();
@@ -366,7 +367,8 @@ bool ConstantShift::is_significant() const {
   if (!(least_m > accuracy_m)) return false;
   const auto is_told = [](const ShiftAxis& axis) { return axis.ci95_m.has_value(); };
   const auto n_told = static_cast<std::size_t>(std::ranges::count_if(axes, is_told));
-  if (n_told + unobservable.size() < axes.size()) return true;  // an oblique direction is told, too
+  if (n_told + unobservable.size() < axes.size())
+    return true;  // an oblique direction is determined, too
   return std::ranges::any_of(axes, [](const ShiftAxis& axis) {
     return axis.ci95_m && (axis.ci95_m->low > 0.0 || axis.ci95_m->high < 0.0);
   });

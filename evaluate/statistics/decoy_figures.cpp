@@ -21,11 +21,11 @@ bool passes(const LineEvaluation& line) {
   return is_evaluated(line) && line.mean_distance_m < kRight_m;
 }
 
-/// Interval of the share of those that pass, `passed[i]` being of cluster `clusters[i]`.
+/// Interval of the share of decoys that pass, where `passed[i]` belongs to cluster `clusters[i]`.
 std::optional<Interval> share_interval(const std::vector<char>& passed,
                                        const std::vector<std::size_t>& clusters,
                                        const BootstrapOptions& options) {
-  // The root of a mean of squares is the root of a share here.
+  // For zeros and ones, the root mean square is the root of the share.
   const std::vector<double> ones(passed.begin(), passed.end());
   const auto n_passed = static_cast<std::size_t>(std::ranges::count(passed, 1));
   std::optional<Interval> interval = wilson_interval(n_passed, passed.size(), options.level);

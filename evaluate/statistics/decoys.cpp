@@ -18,7 +18,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// The segment from that end which comes first in x, then y, then z.
+/// The segment starting at the end that comes first in x, then y, then z.
 Segment3 in_order(const Segment3& segment) {
   const bool is_in_order = std::ranges::lexicographical_compare(segment.start, segment.end);
   return is_in_order ? segment : Segment3{segment.end, segment.start};
@@ -28,7 +28,7 @@ Segment3 moved_by(const Segment3& segment, const Eigen::Vector3d& by_m) {
   return {segment.start + by_m, segment.end + by_m};
 }
 
-/// To the left of the line in plan, of unit length; nothing without a direction in plan.
+/// Unit vector to the left of the line in plan; empty if it has no direction in plan.
 std::optional<Eigen::Vector3d> left_of(const Segment3& segment) {
   const Segment3 s = in_order(segment);
   const Eigen::Vector2d along = (s.end - s.start).head<2>();
@@ -36,14 +36,14 @@ std::optional<Eigen::Vector3d> left_of(const Segment3& segment) {
   return Eigen::Vector3d(-along.y(), along.x(), 0.0) / along.norm();
 }
 
-/// The point `up_m` above `x` on the ray that a camera sees it by.
+/// The point `up_m` above `x` on the ray along which a camera sees `x`.
 Eigen::Vector3d along_ray(const ProjectionMatrix& camera, const Eigen::Vector3d& x, double up_m) {
   return point_on_plane(camera, project(camera, x),
                         Plane3(Eigen::Vector3d::UnitZ(), -(x.z() + up_m)));
 }
 
-/// What a false match would show in place of `seen`: the projection of the moved line with the
-/// residual of the line itself.
+/// What a false match would show instead of `seen`: the projection of the moved line plus the
+/// residual of the original line.
 Segment2 false_match(const ImageObservation& seen, const Segment3& line, const Segment3& moved) {
   Segment2 before = project(seen.image_from_local, line);
   Segment2 after = project(seen.image_from_local, moved);
@@ -77,7 +77,8 @@ std::optional<JudgedLine> matched_falsely(const JudgedLine& line, double up_m) {
   return decoy;
 }
 
-/// The line moved in plan together with its cameras, so that its images show it there.
+/// The line moved in plan together with its cameras, so that its images show it in the new
+/// position.
 JudgedLine moved_with_cameras(JudgedLine line, const Eigen::Vector2d& by_m) {
   const Eigen::Vector3d by(by_m.x(), by_m.y(), 0.0);
   line.segment = moved_by(line.segment, by);
@@ -88,7 +89,7 @@ JudgedLine moved_with_cameras(JudgedLine line, const Eigen::Vector2d& by_m) {
   return line;
 }
 
-/// A hash of where a line lies, to a tenth of a millimetre.
+/// A hash of a line's position, to a tenth of a millimetre.
 std::uint64_t key_of(const Segment3& segment) {
   constexpr double kPerMetre = 1e4;
   const Segment3 s = in_order(segment);
@@ -108,7 +109,7 @@ struct Movable {
   auto operator<=>(const Movable&) const = default;
 };
 
-/// The first `n` lines that can be judged, in the order of their keys; one of those with one key.
+/// The first `n` lines that can be judged, in the order of their keys; only one line per key.
 std::vector<Movable> drawn(std::span<const JudgedLine> lines, std::size_t n) {
   std::vector<Movable> all;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -123,7 +124,7 @@ std::vector<Movable> drawn(std::span<const JudgedLine> lines, std::size_t n) {
 
 struct ShiftWay {
   DecoyKind kind;
-  double distance_m;  ///< with a sign
+  double distance_m;  ///< signed
 };
 
 std::vector<ShiftWay> ways_of(const JudgedLine& line) {
@@ -142,8 +143,8 @@ std::string decoy_id(std::uint64_t key, DecoyKind kind, double distance_m) {
   return fmt::format("{:016x} {} {:+g} m", key, name(kind), distance_m);
 }
 
-/// The first of eight steps to all sides that keeps `x` in the box, beginning with one that the key
-/// chooses.
+/// The first of eight steps in all directions that keeps `x` in the box, starting with one chosen
+/// by the key.
 std::optional<Eigen::Vector2d> step_within(const Eigen::AlignedBox2d& box,
                                            const Eigen::Vector2d& x,
                                            double distance_m,
@@ -191,8 +192,7 @@ std::size_t default_n_decoys(std::size_t n_lines) {
 }
 
 std::vector<Decoy> make_decoys(std::span<const JudgedLine> lines, std::size_t n_decoys) {
-  constexpr std::size_t kStride =
-      7;  // has no divisor in common with 16 and 24, the numbers of ways
+  constexpr std::size_t kStride = 7;  // has no common divisor with 16 and 24, the numbers of ways
   const std::vector<Movable> parents = drawn(lines, n_decoys);
   std::vector<Decoy> decoys;
   for (std::size_t p = 0; p < parents.size(); ++p) {

@@ -8,7 +8,7 @@
 namespace ridgeline::evaluate {
 
 /// Sum whose rounding error does not grow with the number of terms (Neumaier 1974), so that the
-/// sums of disjoint parts add up to the sum of the whole to about 1e-15 relative.
+/// sums of disjoint parts add up to the total to about 1e-15 relative.
 class CompensatedSum {
  public:
   void add(double x);
@@ -31,7 +31,7 @@ std::optional<double> median(std::vector<double> values);
 
 /// Normalised median absolute deviation 1.4826 median |v - median v|. It estimates the standard
 /// deviation of a normal distribution, with a breakdown point of 50 %. The values must be signed;
-/// for magnitudes it means something else. Empty for no values.
+/// for magnitudes it has a different meaning. Empty for no values.
 std::optional<double> nmad(std::span<const double> signed_values);
 
 }  // namespace ridgeline::evaluate

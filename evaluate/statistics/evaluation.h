@@ -24,9 +24,10 @@ struct AreaBuilding {
   std::vector<std::string> by;  ///< values of the attributes by which figures are grouped
 };
 
-/// What joins a judgement of the lines of one area with those of the areas beside it.
+/// What is needed to merge the judgement of the lines of one area with those of the neighbouring
+/// areas.
 struct AreaPart {
-  /// x_min, y_min, x_max, y_max in the cloud's coordinates; the upper sides are not in the area.
+  /// x_min, y_min, x_max, y_max in the cloud's coordinates; the upper bounds are exclusive.
   std::array<double, 4> bounds{};
   std::size_t n_lines = 0;           ///< in the file
   std::vector<std::size_t> numbers;  ///< in the file, from 0, of each line of the evaluation
@@ -34,28 +35,29 @@ struct AreaPart {
   std::vector<AreaBuilding> buildings;
 };
 
-/// The lines of one method (or tool) on one patch, judged, with their figures.
+/// The judged lines of one method (or tool) on one patch, with their figures.
 struct Evaluation {
   std::string patch, method;
   Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();  ///< x_in_world = x_in_local + origin_m
   SummaryOptions options;
   std::vector<LineEvaluation> lines;  ///< every input line; planes in the local frame
   std::vector<Summary> classes;       ///< see summarize_classes()
-  /// Of the lines as they were given; nothing if none of them was judged.
+  /// Of the lines as they were given; empty if none of them was judged.
   std::optional<ConstantShift> shift{};
-  /// Of lines that were moved on purpose and judged again; empty if none were.
+  /// Of lines that were moved deliberately and judged again; empty if there are none.
   std::vector<DecoyFigure> decoys{};
   std::optional<CloudFollowing>
-      elsewhere{};                 ///< of the same lines far off; nothing if none were moved
-  std::optional<AreaPart> area{};  ///< if only the lines of an area were judged
+      elsewhere{};                 ///< of the same lines moved far away; empty if none were
+  std::optional<AreaPart> area{};  ///< if only the lines of one area were judged
 };
 
 /// `evaluation` with `classes` computed from its lines and options.
 Evaluation with_summaries(Evaluation evaluation);
 
-/// The evaluations cut down to the lines, by id, that are `evaluated` in all of them: the paired
-/// line set on which methods are compared. Summaries are computed anew; decoys, which are of all
-/// lines, are left out. Throws std::invalid_argument if they are not all of one patch.
+/// The evaluations reduced to the lines, by id, that are `evaluated` in all of them: the paired
+/// line set on which methods are compared. Summaries are recomputed; decoys, which refer to all
+/// lines, are left out. Throws std::invalid_argument if the evaluations are not all of the same
+/// patch.
 std::vector<Evaluation> on_common_lines(std::span<const Evaluation> evaluations);
 
 }  // namespace ridgeline::evaluate

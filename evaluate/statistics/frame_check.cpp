@@ -9,7 +9,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// Whether a line of this status had points looked for beside it, or lies too far off to have any.
+/// Whether points were sought beside a line of this status, or it is too far away to have any.
 bool was_looked_up(Status status) {
   switch (status) {
     case Status::kNotReconstructed:
@@ -38,7 +38,7 @@ FrameCheck check_frame(std::span<const LineEvaluation> lines, double tolerance_m
     if (line.status == Status::kEvaluated) distances_m.push_back(*line.mean_distance_m);
     if (!was_looked_up(line.status)) continue;
     ++n_looked_up;
-    // a line that is not in_range() has length 0; this one has a mark for a missing height
+    // a line that is not in_range() has length 0; this one has a marker for a missing height
     if (line.status == Status::kOutOfRange && line.length_m > 0.0) ++n_far_in_height;
     if (line.status != Status::kNoLidar && line.status != Status::kOutOfRange) ++n_near;
   }

@@ -13,8 +13,8 @@ namespace ridgeline::evaluate {
 struct FrameCheck {
   bool same_frame = true;
   std::optional<double> median_distance_m;  ///< of the evaluated lines
-  std::optional<double> near_share;  ///< share of the lines with a geometry that have points beside
-  std::string reason;                ///< one clause; empty for the same frame
+  std::optional<double> near_share;  ///< share of the lines with a geometry that are near points
+  std::string reason;                ///< one clause; empty if the frame is the same
 };
 
 /// Lines and cloud are not in the same frame if the median distance is above 20 times

@@ -8,11 +8,11 @@
 
 namespace ridgeline::evaluate {
 
-/// Figures by number of images are of two, three, four, and of five and more.
+/// Figures by number of images are given for two, three, four, and five or more.
 inline constexpr int kMinImages = 2;
 inline constexpr int kMaxImages = 5;
 
-/// The group of a number of images, from 0; empty for fewer than two.
+/// The group of a number of images, counted from 0; empty for fewer than two.
 inline std::optional<std::size_t> image_group(std::optional<int> n_images) {
   if (n_images.value_or(0) < kMinImages) return std::nullopt;
   return static_cast<std::size_t>(std::min(*n_images, kMaxImages) - kMinImages);

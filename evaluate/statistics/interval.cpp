@@ -40,7 +40,7 @@ std::optional<Interval> wilson_interval(std::size_t successes, std::size_t trial
   const double centre = p + z * z / (2.0 * n);
   const double half = z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
   const double scale = 1.0 / (1.0 + z * z / n);
-  // the ends are exact where rounding would leave them 1e-17 off
+  // the ends are set exactly, because rounding would leave them off by 1e-17
   return Interval{successes == 0 ? 0.0 : scale * (centre - half),
                   successes == trials ? 1.0 : scale * (centre + half)};
 }

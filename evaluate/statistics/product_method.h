@@ -11,23 +11,23 @@ namespace ridgeline::evaluate {
 
 inline constexpr std::string_view kLinesMethod = "lines";
 inline constexpr std::string_view kPlanesMethod = "planes";
-/// The methods of reconstruction, the best first.
+/// The reconstruction methods, best first.
 inline constexpr std::array<std::string_view, 5> kMethodsByRank{kLinesMethod, "network", "joint",
                                                                 "direct", kPlanesMethod};
 
-/// Whether a line is one that no edge shows, where two planes of the images' own surface meet:
-/// "p7", in a block "PATCH/p7". Its number depends on all other lines of the run and means nothing
-/// in another one.
+/// Whether a line is one that has no visible edge, where two planes of the surface derived from the
+/// images meet: "p7", in a block "PATCH/p7". Its number depends on all other lines of the run and
+/// has no meaning in another one.
 inline bool is_of_planes(std::string_view method, std::string_view id) {
   id.remove_prefix(id.rfind('/') + 1);  // npos + 1 is 0
   return (method == kLinesMethod || method == kPlanesMethod) && id.size() > 1 && id[0] == 'p' &&
          id.find_first_not_of("0123456789", 1) == std::string_view::npos;
 }
 
-/// The index of the product among the methods of a run, whose lines the run is for; the others are
-/// baselines. It is the best one: `lines`, `network`, `joint`, `direct`, then any other. 0 if there
-/// are none.
-/// @param name  gives the name of a method, as std::invoke() takes it
+/// The index of the product among the methods of a run, i.e. of the method whose lines are the
+/// purpose of the run; the others are baselines. It is the best one: `lines`, `network`, `joint`,
+/// `direct`, `planes`, then any other. 0 if there are none.
+/// @param name  gives the name of a method, as invoked by std::invoke()
 template <typename Methods, typename Projection = std::identity>
 std::size_t product_index(const Methods& methods, Projection name = {}) {
   const auto rank = [&](const auto& method) {

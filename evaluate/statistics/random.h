@@ -7,8 +7,8 @@
 
 namespace ridgeline::evaluate {
 
-/// Random numbers keyed by (seed, stream): streams are independent of the order in which threads
-/// take them.
+/// Random numbers keyed by (seed, stream): streams do not depend on the order in which threads use
+/// them.
 class KeyedRandom : public SplitMix64 {
  public:
   KeyedRandom(std::uint64_t seed, std::uint64_t stream)

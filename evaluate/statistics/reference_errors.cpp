@@ -20,23 +20,23 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// A line belongs to the reference line whose image passes this close to both ends of its image
+/// A line is assigned to the reference line whose image passes this close to both ends of its image
 /// segment, in both images.
 constexpr double kMaxFromReference_px = 2.0;
-/// The covariance of a line is tested only if its reference line passes this close. Farther off it
-/// may be another edge beside the true one.
+/// The covariance of a line is tested only if its reference line passes this close. If it is
+/// farther away, the line may belong to another edge beside the true one.
 constexpr double kMaxTested_px = 1.0;
 constexpr double kGross_m = 1.0;
 /// Largest distance and angle of a line from the reference line that it covers.
 constexpr double kTolerance_m = 0.3;
 constexpr double kMaxFromReference_deg = 5.0;
 constexpr double kMinCoveredShare = 0.5;  ///< of a reference line, to count as reconstructed
-constexpr double kMinVisibleShare = 0.5;  ///< of a reference line in both images, to count
+constexpr double kMinVisibleShare = 0.5;  ///< of a reference line in both images, to be counted
 
-constexpr double kBeyondEnds_px = 5.0;  // an extracted end may run on along a neighbour's edge
+constexpr double kBeyondEnds_px = 5.0;  // an extracted end may continue along a neighbouring edge
 
-/// The larger one of the distances of the segment's ends from the image of the reference line;
-/// infinite if an end lies more than kBeyondEnds_px beyond the ends of that image.
+/// The larger of the distances of the segment's ends from the image of the reference line; infinite
+/// if an end lies more than kBeyondEnds_px beyond the ends of that image.
 double distance_in_image(const Segment2& segment_px, const Segment2& reference_px) {
   const double length_px = length(reference_px);
   if (!(length_px > 0.0)) return HUGE_VAL;
@@ -51,7 +51,7 @@ double distance_in_image(const Segment2& segment_px, const Segment2& reference_p
   return largest;
 }
 
-/// The reference lines as one image shows them.
+/// The reference lines projected into one image.
 struct ReferenceImage {
   ProjectionMatrix image_from_local;
   std::vector<Segment2> lines_px;
@@ -68,8 +68,8 @@ ReferenceImage reference_image(const ProjectionMatrix& image_from_local,
   return {image_from_local, std::move(lines_px), std::move(by_place)};
 }
 
-/// The reference lines in each base image of the lines. These images are few, as many lines come
-/// from one pair.
+/// The reference lines in each base image of the lines. There are few such images, because many
+/// lines come from one pair.
 std::vector<ReferenceImage> reference_images(std::span<const JudgedLine> lines,
                                              std::span<const ReferenceLine> references) {
   std::vector<ReferenceImage> images;
@@ -105,7 +105,7 @@ std::optional<std::size_t> reference_of(const ImageEvidence& line,
   return best;
 }
 
-/// As reference_of_each(), of the reference lines that pass this close.
+/// Like reference_of_each(), for the reference lines that pass within this distance.
 std::vector<std::optional<std::size_t>> references_within(
     double max_distance_px,
     std::span<const JudgedLine> lines,
@@ -124,7 +124,7 @@ std::vector<std::optional<std::size_t>> references_within(
 }
 
 /// Mean distance of the segment from the infinite line. The distance is convex along the segment,
-/// so a few samples are exact to a per cent where it is not linear.
+/// so where it is not linear, a few samples are accurate to one per cent.
 double mean_distance_m(const Segment3& segment, const Segment3& reference) {
   constexpr int kSamples = 11;
   const Eigen::ParametrizedLine<double, 3> line =
@@ -136,13 +136,13 @@ double mean_distance_m(const Segment3& segment, const Segment3& reference) {
   return sum_m / kSamples;
 }
 
-/// How far a line lies from its reference line across in plan and in height.
+/// The distance of a line from its reference line, across it in plan and in height.
 struct ErrorParts {
   double mean_square_horizontal_m2 = 0.0, mean_square_vertical_m2 = 0.0, mean_vertical_m = 0.0;
 };
 
-/// The error parts by the offsets of the ends, between which they change linearly. Nothing for a
-/// steep reference line.
+/// The error components, from the offsets of the ends, between which they vary linearly. Empty for
+/// a steep reference line.
 std::optional<ErrorParts> error_parts(const Segment3& segment, const Segment3& reference) {
   constexpr double kMaxSlope = 3.732;  // tan 75 degrees
   const Eigen::Vector3d along = reference.end - reference.start;
@@ -171,7 +171,7 @@ bool is_of(const JudgedLine& line, std::string_view line_class) {
 }
 
 /// Squared error of the two ends across the reference line, normalised by the stated covariance;
-/// nothing if by that covariance a combination of the ends is free of error.
+/// empty if, according to that covariance, a combination of the ends is free of error.
 std::optional<double> normalised_square(const JudgedLine& line, const Segment3& reference) {
   const Eigen::Vector3d along = (reference.end - reference.start).normalized();
   const Eigen::Vector3d across = along.unitOrthogonal();

@@ -30,7 +30,7 @@ double root_mean(const std::vector<const LineEvaluation*>& lines, const Square& 
   return std::sqrt(sum.value() / static_cast<double>(lines.size()));
 }
 
-/// Variance of the mean distance from a line's planes by the points' independent errors.
+/// Variance of the mean distance from a line's planes due to the points' independent errors.
 double random_variance_m2(const LineEvaluation& line) {
   const auto n = static_cast<double>(line.planes.size());
   double variance_m2 = 0.0;

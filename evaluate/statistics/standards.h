@@ -11,32 +11,33 @@
 
 namespace ridgeline::evaluate {
 
-// The figures of a class in the terms of standards. They are informative: distances of lines from
-// planes are no checkpoints.
+// The figures of a class in the terms of standards. They are informative only: distances of lines
+// from planes are not checkpoints.
 
-/// Parts of the standard uncertainty of the distance of one line (GUM), root mean square over the
-/// lines, metres.
+/// Components of the standard uncertainty of the distance of one line (GUM), as root mean squares
+/// over the lines, metres.
 struct UncertaintyBudget {
   double laser_random_m = 0.0;      ///< independent errors of the points, through the planes' fits
   double laser_systematic_m = 0.0;  ///< SummaryOptions::sigma_sys_m
-  /// What plane_sigma_m() adds to the independent errors: neighbours that err together, few points.
+  /// The excess of plane_sigma_m() over the independent errors: correlated neighbouring points, few
+  /// points.
   double plane_fit_m = 0.0;
-  /// Uncertainty of the RMS of the class, not of a line: the standard error of the clustered
+  /// Uncertainty of the RMS of the class, not of a single line: the standard error of the clustered
   /// bootstrap.
   std::optional<double> sampling_m;
 
-  /// Uncertainty of the distance of one line: laser and plane.
+  /// Uncertainty of the distance of one line: laser and plane combined.
   [[nodiscard]] double combined_m() const;
   [[nodiscard]] double expanded_m() const { return 2.0 * combined_m(); }  ///< k = 2
 };
 
-/// RMSE of ridges and hips with the error of the reference included, as ASPRS Edition 2 (2023)
-/// counts.
+/// RMSE of ridges and hips, including the error of the reference, as required by ASPRS Edition 2
+/// (2023).
 struct AsprsFigures {
   std::size_t n = 0;
   std::optional<double> rmse_horizontal_m, rmse_vertical_m, rmse_3d_m;
-  /// The best class that the reference can attest: the reference must be twice as accurate as the
-  /// class.
+  /// The best class that the reference can attest, since the reference must be twice as accurate as
+  /// the class.
   double best_class_m = 0.0;
   bool few_checkpoints = false;  ///< n < 30
   bool biased = false;           ///< |mean vertical| above 25 % of the RMSE

@@ -26,7 +26,7 @@ struct LineProperty {
   BinOf bin_of;
 };
 
-/// Index of the bin (bounds[k], bounds[k + 1]] that holds the value. The first bin includes its
+/// Index of the bin (bounds[k], bounds[k + 1]] that contains the value. The first bin includes its
 /// lower bound. Empty for a value outside all bins.
 std::optional<std::size_t> bin_index(const std::vector<double>& bounds, double value) {
   if (!(value >= bounds.front() && value <= bounds.back())) return std::nullopt;
@@ -71,8 +71,7 @@ std::optional<double> steepest_slope_deg(const LineEvaluation& line) {
   return steepest;
 }
 
-/// The lines by the quartiles of their predicted sigma, which are those of this evaluation's own
-/// lines.
+/// The lines by the quartiles of their predicted sigma, computed from the lines of this evaluation.
 LineProperty by_sigma(const Evaluation& evaluation) {
   std::vector<double> sigmas_m;
   for (const LineEvaluation& line : evaluation.lines) {

@@ -11,23 +11,25 @@
 namespace ridgeline::evaluate {
 
 struct Stratum {
-  Summary summary;  ///< line_class is the stratum's label, "2-5"
+  Summary summary;  ///< line_class is the label of the stratum, e.g. "2-5"
   Calibration calibration;
 };
 
-/// All lines of an evaluation cut by one property.
+/// All lines of an evaluation divided by one property.
 struct Stratification {
-  /// epipolar_angle_deg | kind | length_m | roof_slope_deg | sigma_line_quartile | n_images
+  /// epipolar_angle_deg | kind | length_m | roof_slope_deg | sigma_line_quartile | n_images |
+  /// decided_by
   std::string by;
-  /// Every bin, the empty ones too, then "unknown" if lines lack the property. Bins include their
-  /// upper bound, so that the epipolar angles up to 10 degrees are exactly `aligned`.
+  /// All bins, including empty ones, then "unknown" if lines lack the property. Bins include their
+  /// upper bound, so that epipolar angles up to 10 degrees are exactly `aligned`.
   std::vector<Stratum> strata;
 };
 
-/// Strata by epipolar angle (0 2 5 10 20 45 90 degrees; with more than two views the largest over
+/// Strata by epipolar angle (0 2 5 10 20 45 90 degrees; with more than two views, the largest over
 /// the pairs), kind, length, slope of the steepest plane and quartile of the predicted sigma; if a
-/// line has three images or more, by number of images, too. Each stratification sums to the total,
-/// see assert_pooled(); std::logic_error is thrown otherwise.
+/// line has three images or more, also by number of images; if points or place decided a line, also
+/// by that evidence. The strata of each property add up to the total, see assert_pooled();
+/// std::logic_error is thrown otherwise.
 std::vector<Stratification> stratify(const Evaluation& evaluation);
 
 }  // namespace ridgeline::evaluate

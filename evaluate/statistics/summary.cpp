@@ -92,7 +92,8 @@ std::optional<double> length_weighted_rms(const EvaluatedSample& sample) {
   return std::sqrt(squares.value() / weights.value());
 }
 
-/// Outliers are rejected once: an iterated 3 RMS rule eats into heavy tails without end.
+/// Outliers are rejected only once: an iterated 3 RMS rule would keep removing values from heavy
+/// tails.
 void describe_outliers(const std::vector<double>& errors,
                        const SummaryOptions& options,
                        Summary& summary) {
@@ -186,8 +187,8 @@ std::vector<std::size_t> members_of_no_class(std::span<const LineEvaluation> lin
   return members;
 }
 
-/// The summary with its groups. Without lines that points or the place decided on, one group would
-/// repeat it.
+/// The summary with its groups. If no line was decided by points or place, there are none, because
+/// one group would repeat the summary.
 Summary with_groups(Summary summary, const std::function<Summary(DecidedGroup)>& summary_of) {
   Summary of_place = summary_of(DecidedGroup::kPointsPlace);
   if (of_place.n_evaluated == 0) return summary;

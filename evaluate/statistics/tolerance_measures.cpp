@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kLimapSamples = 1000;
 
-/// How much of a segment is near others: the share near those of about its direction, and the
-/// number of samples near any.
+/// How much of a segment is near others: the share near those with a similar direction, and the
+/// number of samples near any of them.
 struct Nearness {
   double share = 0.0;
   int n_samples = 0;

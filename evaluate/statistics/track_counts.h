@@ -10,14 +10,14 @@
 
 namespace ridgeline::evaluate {
 
-/// Numbers of true edges that two images or more show, and of their observations.
+/// Numbers of true edges visible in two images or more, and of their observations.
 struct TrackCounts {
   std::size_t n_edges = 0, n_edges_found = 0;
   std::size_t n_shown = 0, n_shown_found = 0;  ///< images that show an edge, summed over the edges
   std::size_t n_right = 0, n_wrong = 0;        ///< observations of the tracks of these edges
 
-  /// Share of the edges that a track shows, of their images in such tracks, of the tracks'
-  /// observations that are right; empty for a denominator of 0.
+  /// Share of the edges on which a track lies, of their images in such tracks, and of the tracks'
+  /// observations that are correct; empty if the denominator is 0.
   [[nodiscard]] std::optional<double> edge_recall() const { return share(n_edges_found, n_edges); }
   [[nodiscard]] std::optional<double> observation_recall() const {
     return share(n_shown_found, n_shown);
@@ -33,7 +33,7 @@ struct TrackCounts {
   }
 };
 
-/// The edges of a class that a number of images show.
+/// The edges of a class that are visible in a given number of images.
 struct TrackCell {
   std::string line_class;            ///< not_aligned, aligned, total
   std::optional<std::size_t> group;  ///< image_group(); empty: all

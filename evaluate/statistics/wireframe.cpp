@@ -25,8 +25,8 @@ using Tree = bg::index::rtree<Entry, bg::index::rstar<16>>;
 
 EndPoint point_of(const Eigen::Vector3d& x) { return {x.x(), x.y(), x.z()}; }
 
-/// Calls `visit(index)` for the entries within `radius_m` of x on each axis, in the order of their
-/// indices.
+/// Calls `visit(index)`, in the order of the indices, for the entries within `radius_m` of x on
+/// each axis.
 template <typename Visit>
 void for_each_within(const Tree& tree,
                      const Eigen::Vector3d& x,
@@ -68,13 +68,13 @@ Wireframe wireframe_of(std::span<const Segment3> segments) {
   return frame;
 }
 
-/// A corner and a true corner.
+/// A corner and a true corner that may match.
 struct CornerPair {
   double distance_m;
   std::size_t corner, true_corner;
 };
 
-/// All pairs up to a distance, nearest first.
+/// All pairs closer than or at a given distance, nearest first.
 std::vector<CornerPair> pairs_within(const Wireframe& frame,
                                      const Wireframe& truth,
                                      double limit_m) {

@@ -10,7 +10,7 @@
 
 namespace ridgeline::evaluate {
 
-/// Precision, recall and F1 of things that are found, matched one to one.
+/// Precision, recall and F1 of detected items, matched one to one.
 struct DetectionScore {
   std::size_t n_found = 0, n_true = 0, n_matched = 0;
 
@@ -19,7 +19,7 @@ struct DetectionScore {
   [[nodiscard]] std::optional<double> f1() const;         ///< empty if n_found or n_true is 0
 };
 
-/// A set of lines as a wireframe, at one threshold.
+/// A set of lines treated as a wireframe, at one threshold.
 struct WireframeScore {
   double threshold_m = 0.0;
   DetectionScore corners, edges;
@@ -31,8 +31,8 @@ inline constexpr double kWireframeThresholds_m[] = {0.1, 0.25, 0.5, 1.0};
 /// The measures of Building3D (Wang et al. 2023), one score for each of kWireframeThresholds_m.
 /// Corners are the ends of the lines; ends within a centimetre of each other are one corner.
 /// Corners are matched one to one with true corners, nearest first, up to the threshold. An edge is
-/// found if its two ends are matched with the ends of one true edge; a true edge counts once.
-/// Throws std::invalid_argument for a segment that is not finite.
+/// found if its two ends are matched with the ends of a true edge; a true edge counts once. Throws
+/// std::invalid_argument for a segment that is not finite.
 std::vector<WireframeScore> wireframe_scores(std::span<const Segment3> lines,
                                              std::span<const Segment3> references);
 
