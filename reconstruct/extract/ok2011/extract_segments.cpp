@@ -75,7 +75,7 @@ std::vector<EdgeTrace> straight_parts(const EdgeTrace& trace, const ExtractOptio
     if (borders[i + 1] - borders[i] < 3) continue;
     const std::span<const Eigen::Vector2d> part =
         std::span(points).subspan(borders[i], borders[i + 1] - borders[i]);
-    if (principal_axes(part).lambda_min > kMaxLambdaMin_px2) continue;
+    if (principal_axes(part).lambda_min > kMaxLambdaMinPx2) continue;
     parts.emplace_back(trace.begin() + static_cast<std::ptrdiff_t>(borders[i]),
                        trace.begin() + static_cast<std::ptrdiff_t>(borders[i + 1]));
   }

@@ -61,7 +61,7 @@ std::vector<Piece> straight_pieces(std::span<const Eigen::Vector2d> points,
     // Each edge pixel accounts for at most sqrt(2) px of the length.
     if (static_cast<double>(run.size()) * M_SQRT2 < options.min_length_px) continue;
     const PrincipalAxes axes = principal_axes(run);
-    if (axes.lambda_min <= kMaxLambdaMin_px2 && axes.max_distance <= options.max_deviation_px) {
+    if (axes.lambda_min <= kMaxLambdaMinPx2 && axes.max_distance <= options.max_deviation_px) {
       if ((run.back() - run.front()).norm() >= options.min_length_px) pieces.push_back(piece);
       continue;
     }

@@ -27,10 +27,10 @@ struct PrincipalAxes {
 PrincipalAxes principal_axes(std::span<const Eigen::Vector2d> points);
 
 /// Straightness: maximum variance across the line. Ours; Ok et al. 2011, section 2, give no value.
-inline constexpr double kMaxLambdaMin_px2 = 0.15;
+inline constexpr double kMaxLambdaMinPx2 = 0.15;
 
 /// Cuts an ordered curve into straight pieces: a run is straight if the points' variance across
-/// their principal axis is at most kMaxLambdaMin_px2 and no point is farther from it than
+/// their principal axis is at most kMaxLambdaMinPx2 and no point is farther from it than
 /// `max_deviation_px`; otherwise it is cut at the point farthest from the chord between its ends,
 /// and both parts are treated in the same way. Pieces whose chord is shorter than `min_length_px`
 /// are left out.

@@ -12,7 +12,7 @@ namespace {
 constexpr double kBeyondEnd_px = 1.0;
 /// Minimum dP(i) of a reliable piece, in ground pixels: 0.12 m in Chio and Wang 2000, section 4,
 /// whose ground pixel is 0.24 m.
-constexpr double kMinPiece_gsd = 0.5;
+constexpr double kMinPieceGsd = 0.5;
 
 /// The line of a segment: n . y = c, |n| = 1, and its start.
 struct RightLine {
@@ -134,7 +134,7 @@ EdgeChain edge_chain(const EpipolarTransfer& right_from_left,
   EdgeChain chain;
   chain.points = chain_points(right_from_left, left_points, RightLine(right.segment));
   if (chain.points.empty()) return chain;
-  chain.pieces = pieces_of(chain.points, kMinPiece_gsd * gsd_m);
+  chain.pieces = pieces_of(chain.points, kMinPieceGsd * gsd_m);
   summarise_pieces(chain);
   summarise_heights(right_from_left, left_points, left, right, chain);
   return chain;

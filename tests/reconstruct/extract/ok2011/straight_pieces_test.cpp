@@ -66,7 +66,7 @@ TEST(StraightPieces, ACircleBecomesPiecesThatKeepTheLimits) {
   for (const Piece& piece : pieces) {
     const PrincipalAxes axes =
         principal_axes(std::span(points).subspan(piece.first, piece.last - piece.first));
-    EXPECT_LE(axes.lambda_min, kMaxLambdaMin_px2);
+    EXPECT_LE(axes.lambda_min, kMaxLambdaMinPx2);
     EXPECT_LE(axes.max_distance, options.max_deviation_px);
   }
 }
