@@ -97,14 +97,14 @@ step || {{
 /// their disks, for a second attempt, and for the shell and libraries.
 std::string limits_of(const SlurmJob& job) {
   constexpr double kTimeMargin = 3.0, kMoreTime_s = 600.0;
-  constexpr double kMemoryMargin = 1.5, kMoreMemory_mib = 256.0;
+  constexpr double kMemoryMargin = 1.5, kMoreMemoryMib = 256.0;
   const double element_s = std::min(static_cast<double>(tasks_per_element(job)) * job.task.seconds,
                                     std::max(job.total_task_s, job.task.seconds));
   const double longest_s = std::max(element_s, job.merge.seconds);
   const double largest_mib = std::max(job.task.memory_mib, job.merge.memory_mib);
   return fmt::format("--time={:.0f} --mem={:.0f}M",
                      std::ceil((kTimeMargin * longest_s + kMoreTime_s) / 60.0),
-                     std::ceil(kMemoryMargin * largest_mib + kMoreMemory_mib));
+                     std::ceil(kMemoryMargin * largest_mib + kMoreMemoryMib));
 }
 
 }  // namespace
