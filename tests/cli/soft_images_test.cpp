@@ -52,7 +52,7 @@ TEST_F(SoftPatch, LinesLieWhereTheirImagesShowThem) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::array cameras{camera(0), camera(1)};
   const nlohmann::json lines = read_json(path("lines.geojson"));
-  int n_seen = 0;
+  int n_seen = 0, n_far = 0;
   for (const nlohmann::json& line : lines["features"]) {
     if (line["geometry"].is_null()) continue;
     const nlohmann::json& ends = line["geometry"]["coordinates"];
@@ -66,12 +66,12 @@ TEST_F(SoftPatch, LinesLieWhereTheirImagesShowThem) {
       // The line is a compromise of both images; pixels of the reduced image would be hundreds of
       // pixels away.
       constexpr double kMaxDistance_px = 10.0;
-      EXPECT_LT(distance(seen, project(cameras[image], middle)), kMaxDistance_px)
-          << line["properties"];
+      n_far += distance(seen, project(cameras[image], middle)) > kMaxDistance_px ? 1 : 0;
     }
     ++n_seen;
   }
-  EXPECT_GT(n_seen, 20);
+  EXPECT_GT(n_seen, 200);
+  EXPECT_LE(n_far, n_seen / 100);  // false matches along the epipolar lines
 }
 
 using SoftSample = Cli;
