@@ -82,7 +82,7 @@ bool admissible(const EpipolarOverlap& overlap,
   for (const double z : overlap.height_m) {
     if (!(z >= heights_m[0] - tolerance_m && z <= heights_m[1] + tolerance_m)) return false;
   }
-  return std::max(overlap.share_of_left(), overlap.share_of_right()) >= kMinOverlap;
+  return std::max(overlap.share_of_left(), overlap.share_of_right()) >= kMinEpipolarOverlap;
 }
 
 std::optional<Candidate> candidate(const CandidateSearch& search,

@@ -17,7 +17,7 @@ inline constexpr double kMinEpipolarAngle_deg = 5.0;
 /// Number of candidates kept per segment: those that are most similar as single lines.
 inline constexpr int kMaxCandidates = 8;
 /// Minimum epipolar overlap of two segments, as a share of the shorter one. Our own value.
-inline constexpr double kMinOverlap = 0.3;
+inline constexpr double kMinEpipolarOverlap = 0.3;
 
 /// Limits on the right segments that may be the counterpart of a left one.
 struct CandidateOptions {

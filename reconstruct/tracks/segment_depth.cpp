@@ -90,7 +90,7 @@ class Search {
     const auto [low, high] = span_on(p.segment, seen);
     const double from = std::max(0.0, low);
     const double to = std::min(1.0, high);
-    if (to - from < kMinOverlap * std::min(1.0, high - low) ||
+    if (to - from < kMinEpipolarOverlap * std::min(1.0, high - low) ||
         (to - from) * length(p.segment) < kMinOverlap_px) {
       return std::nullopt;
     }
