@@ -11,7 +11,7 @@
 namespace ridgeline::io {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\v\f";
+constexpr std::string_view kWhiteSpace = " \t\r\v\f";
 
 template <typename Number>
 std::optional<Number> from_whole(std::string_view text) {
@@ -40,9 +40,9 @@ std::string place(const std::string& path, int row_number) {
 }
 
 std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kBlanks);
+  const std::size_t first = text.find_first_not_of(kWhiteSpace);
   if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+  return text.substr(first, text.find_last_not_of(kWhiteSpace) - first + 1);
 }
 
 std::vector<std::string> csv_fields_of(std::string_view row,
@@ -82,7 +82,7 @@ std::string lower_case(std::string_view text) {
 std::vector<std::string_view> words_of(std::string_view text) {
   std::vector<std::string_view> words;
   for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
-    const std::size_t length = std::min(text.find_first_of(kBlanks), text.size());
+    const std::size_t length = std::min(text.find_first_of(kWhiteSpace), text.size());
     words.push_back(text.substr(0, length));
     text.remove_prefix(length);
   }

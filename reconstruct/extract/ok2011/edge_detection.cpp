@@ -11,7 +11,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr int kTile_px = 256;
+constexpr int kSearchTile_px = 256;
 
 /// Ours: Ok et al. 2011, section 2, also diffuse the image but give no values.
 constexpr int kDiffusionLevels = 3;
@@ -24,9 +24,9 @@ constexpr float kMinNoise = 0.0005F;
 std::vector<cv::Rect> tiles(const cv::Size& size_px) {
   std::vector<cv::Rect> all;
   const cv::Rect whole({0, 0}, size_px);
-  for (int y = 0; y < size_px.height; y += kTile_px) {
-    for (int x = 0; x < size_px.width; x += kTile_px) {
-      all.push_back(cv::Rect(x, y, kTile_px, kTile_px) & whole);
+  for (int y = 0; y < size_px.height; y += kSearchTile_px) {
+    for (int x = 0; x < size_px.width; x += kSearchTile_px) {
+      all.push_back(cv::Rect(x, y, kSearchTile_px, kSearchTile_px) & whole);
     }
   }
   return all;
