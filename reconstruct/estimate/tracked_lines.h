@@ -47,6 +47,9 @@ struct TrackedLines {
   ConditionedViews frames;
   std::vector<ObservedTrack> lines;  ///< by track
   std::array<double, 2> height_range_in_local_m{};
+  /// Whether a line of two images is the part that both show, not the part that the base segment
+  /// shows.
+  bool common_part = false;
 };
 
 /// The tracks in the conditioned frames of the patch, which the extracted segments define. If a

@@ -57,6 +57,7 @@ constexpr std::array kExtensions{
     Extension{"register_profiles", "reconstruct", "register_profiles: false"},
     Extension{"shared_errors", "reconstruct", "shared_errors: false"},
     Extension{"faces_beside", "reconstruct", "faces_beside: false"},
+    Extension{"common_part", "reconstruct", "common_part: false"},
     Extension{"consensus", "reconstruct", "consensus: false, surface: false"},
     Extension{"surface", "reconstruct", "surface: false"},
     Extension{"gable_share", "reconstruct", "gable_share: 0"},

@@ -134,7 +134,7 @@ TEST_F(ReconstructionAccuracy, HoldsOnVillagesThatNothingWasCalibratedOn) {
   EXPECT_LE(truth["joint aligned"].gross_share(), 0.01);
   EXPECT_LE(truth["joint aligned"].rms(), 0.21);
   EXPECT_LE(truth["network not_aligned"].rms(), truth["joint not_aligned"].rms());
-  EXPECT_LE(truth["network aligned"].rms(), 1.02 * truth["joint aligned"].rms());
+  EXPECT_LE(truth["network aligned"].rms(), 0.2);
   // measured: medians 0.63 to 1.03, 4.1 to 7.8 % beyond the limit; the aims are 0.7 to 1.3 and 5 %
   for (const std::string method : {"joint", "network"}) {
     for (const std::string line_class : {"not_aligned", "aligned"}) {

@@ -57,7 +57,7 @@ TEST_F(Config, PublishedHoldsNothingOfOurs) {
         std::pair("extract", "separate_edges"), std::pair("extract", "soft_edges"),
         std::pair("match", "matched_radiometry"), std::pair("match", "hidden_walls"),
         std::pair("reconstruct", "consensus"), std::pair("reconstruct", "surface"),
-        std::pair("reconstruct", "register_profiles")}) {
+        std::pair("reconstruct", "common_part"), std::pair("reconstruct", "register_profiles")}) {
     EXPECT_EQ(published[group][key].Scalar(), "false") << group << "." << key;
   }
   EXPECT_EQ(published["chio"]["allow_noise"].Scalar(), "false");

@@ -12,6 +12,7 @@ namespace ridgeline::reconstruct {
 EstimateExtensions estimate_extensions(const EstimationOptions& options,
                                        const SurfaceOf& surface_of) {
   EstimateExtensions beyond;
+  beyond.common_part = options.beyond.common_part;
   if (options.beyond.consensus) {
     const SurfaceOf used = options.beyond.surface ? surface_of : no_surface;
     beyond.support = [options, used](const TrackedLines& lines,

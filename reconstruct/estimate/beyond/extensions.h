@@ -7,7 +7,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// The consensus on depths, if the options switch it on, and the network adjustment.
+/// The extensions of the estimation that the options switch on (common_part and consensus), and the
+/// network adjustment.
 /// @param surface_of  the surfaces of the pairs; they must live as long as the result
 EstimateExtensions estimate_extensions(const EstimationOptions& options,
                                        const SurfaceOf& surface_of = no_surface);

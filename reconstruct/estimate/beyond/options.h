@@ -10,6 +10,10 @@ namespace ridgeline::reconstruct {
 
 /// The options of the extensions of the estimation; see estimate_extensions().
 struct EstimateExtensionOptions {
+  /// A line of two images is the part that both show, just as a line of more images is the part
+  /// that two of them show. Where only one segment continues, the other image gives no evidence of
+  /// its height.
+  bool common_part = true;
   /// Right segments of not_aligned matches are moved to where the right image shows what lies under
   /// the left ones, according to the colour profiles across the lines. See compare_profiles().
   bool register_profiles = true;
@@ -30,7 +34,8 @@ struct EstimateExtensionOptions {
   [[nodiscard]] constexpr bool adjusts_to_faces() const { return surface && faces_beside; }
 
   static constexpr EstimateExtensionOptions none() {
-    return {.register_profiles = false,
+    return {.common_part = false,
+            .register_profiles = false,
             .shared_errors = false,
             .consensus = false,
             .surface = false,
@@ -40,6 +45,10 @@ struct EstimateExtensionOptions {
   static constexpr auto fields() {
     using O = EstimateExtensionOptions;
     return std::tuple{
+        Field{
+            "common_part", &O::common_part, false, true,
+            "a line of two images ends where either of them ends it; off: at the ends of the base "
+            "segment, as published"},
         Field{"register_profiles", &O::register_profiles, false, true,
               "not_aligned: shift the edge in the second image to align the profiles across it"},
         Field{"shared_errors", &O::shared_errors, false, true,

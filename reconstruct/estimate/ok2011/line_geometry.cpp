@@ -125,10 +125,11 @@ double largest_sigma_z_m(const Matrix6d& cov_m2) {
   return std::sqrt(std::max(cov_m2(2, 2), cov_m2(5, 5)));
 }
 
-bool assign_geometry(const ConditionedViews& frames,
+bool assign_geometry(const TrackedLines& lines,
                      const ObservedTrack& track,
                      const UncertainLine3& estimate,
                      ReconstructedLine& result) {
+  const ConditionedViews& frames = lines.frames;
   const auto views =
       transformed(track.observations, [&](const ObservedLine& s) { return frames.of(s); });
   const auto base = endpoints(estimate, frames.of(track.base()), track.base(), views);
@@ -136,7 +137,9 @@ bool assign_geometry(const ConditionedViews& frames,
   const auto other = endpoints(estimate, frames.of(track.other()), track.other(), views);
   const ObjectConditioning& object = frames.object;
   UncertainSegment3 used = *base;
-  if (track.observations.size() > 2)
+  // a part of a cut track ends where its base segment was cut
+  const bool is_common = lines.common_part && result.part == 0;
+  if (is_common || track.observations.size() > 2)
     used = part_of_two_views(frames, track, estimate, base->segment).value_or(used);
   result.segment_in_local = local_from_conditioned(object, used.segment);
   result.covariance_m2 = object.scale_m * object.scale_m * used.cov;

@@ -27,12 +27,13 @@ std::optional<UncertainSegment3> endpoints(const UncertainLine3& line,
 /// The larger height sigma of the two ends of a segment.
 double largest_sigma_z_m(const Matrix6d& cov_m2);
 
-/// Sets the geometry of the result to the part of the line that its views show: of two segments,
-/// between the ends of the base segment; of more, to the farthest ends that two views show, each
-/// the median of the views that agree within 3 sigma, or between the ends of the base segment if no
-/// part is common to two views.
+/// Sets the geometry of the result to the part of the line that its views show:
+/// - to the farthest ends that two views show, each the median of the views that agree within 3
+///   sigma;
+/// - between the ends of the base segment if no part is common to two views, and, of two segments,
+///   if the line is a part of a cut track or TrackedLines::common_part is not set.
 /// Returns false and changes nothing if a camera does not see the line between its base ends.
-bool assign_geometry(const ConditionedViews& frames,
+bool assign_geometry(const TrackedLines& lines,
                      const ObservedTrack& track,
                      const UncertainLine3& estimate,
                      ReconstructedLine& result);

@@ -70,7 +70,7 @@ void reconstruct_direct(const TrackedLines& lines,
     result.observations[j].px = in_image(lines.frames.of(observed), observed);
   }
   const auto estimate = line_of_planes(line);
-  if (!estimate || !assign_geometry(lines.frames, line, *estimate, result)) return;
+  if (!estimate || !assign_geometry(lines, line, *estimate, result)) return;
   result.determination = Determination::kDirect;
   result.failure.reset();
   result.direct_sigma_z_m = largest_sigma_z_m(*result.covariance_m2);
@@ -121,7 +121,7 @@ void reconstruct_joint(const TrackedLines& lines,
     result.points.push_back(used_point(p, lines.frames.object));
   }
   const auto adjusted = adjust_line(planes_of(support.track), points, support.sigma_slope);
-  if (!adjusted || !assign_geometry(lines.frames, support.track, adjusted->line, result)) {
+  if (!adjusted || !assign_geometry(lines, support.track, adjusted->line, result)) {
     return give_up(Failure::kNoIntersection, result);
   }
   result.determination = joint_determination(*adjusted, support);
@@ -251,12 +251,16 @@ std::vector<ReconstructedLine> reconstruct_lines(const TrackedSegments& tracked,
   const std::span<const Track> tracks = tracked.tracks;
   const Neighbours neighbours = neighbours_of(tracked.connections, tracks.size());
   if (tracks.empty()) return {};
+  const auto lines_of = [&](const std::vector<TrackSegments>& segments, LineCovariance form) {
+    TrackedLines lines = tracked_lines(tracked, segments, form);
+    lines.common_part = beyond.common_part;
+    return lines;
+  };
   // The consensus on the depth of aligned lines uses the lines that they meet as extracted, not as
   // registered.
-  const TrackedLines lines = tracked_lines(tracked, extracted(tracked), options.line_covariance);
+  const TrackedLines lines = lines_of(extracted(tracked), options.line_covariance);
   const std::vector<TrackSegments> corrected = registered(tracked);
-  const std::vector<ObservedTrack> observed =
-      tracked_lines(tracked, corrected, options.line_covariance).lines;
+  const std::vector<ObservedTrack> observed = lines_of(corrected, options.line_covariance).lines;
 
   std::vector<ReconstructedLine> direct = direct_lines(lines, observed, tracks, options);
   if (options.method == Method::kDirect) return direct;
@@ -270,8 +274,7 @@ std::vector<ReconstructedLine> reconstruct_lines(const TrackedSegments& tracked,
   std::vector<std::vector<JointLine>> by_track =
       joint_lines(lines, observed, neighbours, support, direct);
   if (options.method == Method::kNetwork) {
-    beyond.network(tracked_lines(tracked, corrected, LineCovariance::kCentroid),
-                   tracked.connections, by_track);
+    beyond.network(lines_of(corrected, LineCovariance::kCentroid), tracked.connections, by_track);
   }
   return flattened(by_track);
 }

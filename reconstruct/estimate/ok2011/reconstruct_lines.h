@@ -104,6 +104,7 @@ using SupportOfTrack = std::function<std::vector<LineSupport>(const ObservedTrac
 
 /// Hooks for extensions of the estimation beyond the paper. Each may be empty.
 struct EstimateExtensions {
+  bool common_part = false;  ///< see TrackedLines::common_part
   /// Gives the support of aligned lines instead of published_support(), from all lines and the
   /// lines by `direct`.
   std::function<SupportOfTrack(const TrackedLines& lines,

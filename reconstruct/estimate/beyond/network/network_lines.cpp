@@ -138,7 +138,7 @@ void adjust_together(const TrackedLines& lines,
     ReconstructedLine& joint = members.results[i]->line;
     if (!adjusted[i].adjusted) continue;
     ReconstructedLine line = joint;
-    if (!assign_geometry(lines.frames, members.lines[i].track, adjusted[i].line, line) ||
+    if (!assign_geometry(lines, members.lines[i].track, adjusted[i].line, line) ||
         !is_determined(line, lines.height_range_in_local_m) ||
         !is_better_known(line, adjusted[i].n_meetings, *members.results[i])) {
       continue;

@@ -274,10 +274,71 @@ TEST(DepthConsensus, OfEndsThatDisagreeTheHeightOfALineNearbyDecides) {
   }
 }
 
+/// Part of a line across the first one, by distances beside the middle of the first one, px.
+using Stretch = std::array<double, 2>;
+
+/// Adds a rising line whose left segment is longer than the right one. The middle of the right one
+/// has a given height. The line is not connected and meets nothing.
+void add_line_with_short_counterpart(LineGroup& group,
+                                     Stretch left,
+                                     Stretch right,
+                                     double height_m) {
+  constexpr double kRiseM = 0.005;  // per pixel
+  const Eigen::Vector2d across =
+      Eigen::Rotation2Dd(90.0 * kDegree) * kScene.epipolar_direction(kScene.left_centre());
+  const auto line = [&](const Stretch& s) {
+    const auto at = [&](double beside_px) {
+      const double z_m = height_m + kRiseM * (beside_px - 0.5 * (right[0] + right[1]));
+      return kScene.at_height(kScene.left_centre() + beside_px * across, z_m);
+    };
+    return Segment3{at(s[0]), at(s[1])};
+  };
+  const auto i = static_cast<int>(group.matches.size());
+  const test::Noise noise;  // noise of 100 px; that of a direction goes with length^-1.5
+  const double shorter = (right[1] - right[0]) / 100.0;
+  group.segments[0].push_back(test::exact(kScene.images(line(left))[0], noise));
+  group.segments[1].push_back(
+      test::exact(kScene.images(line(right))[1],
+                  {noise.q_px, noise.phi_rad / std::pow(shorter, 1.5), noise.e_px}));
+  group.matches.push_back({i, i});
+}
+
+/// Heights of both ends of the first line, beside a line with a short counterpart at a height.
+std::array<double, 2> heights_beside(Stretch left, Stretch right, double height_m) {
+  LineGroup group = with_ends_that_disagree(3.0);
+  add_line_with_short_counterpart(group, left, right, height_m);
+  EstimationOptions options;
+  options.consensus.min_depth_margin = 0.0;  // a weak reason alone
+  const std::vector<ReconstructedLine> lines = group.reconstruct(options);
+  EXPECT_LT(length(segment_of(lines[1])), length(*lines[1].other_segment_in_local) + 0.1);
+  EXPECT_LT(*lines[1].direct_sigma_z_m, 0.4);  // m; the height is known well enough to compare
+  return {segment_of(lines[0]).start.z(), segment_of(lines[0]).end.z()};
+}
+
+TEST(DepthConsensus, HeightsNearbyAreThoseOfEndsThatBothImagesShow) {
+  // within 100 px is near: both ends of the left segment are farther off, those of its counterpart
+  // are near
+  const Stretch whole{-120.0, 200.0};
+  for (const double height_m : {kHeightM, 3.0}) {
+    EXPECT_THAT(heights_beside(whole, {25.0, 55.0}, height_m),
+                testing::Each(testing::DoubleNear(height_m, 0.1)));
+  }
+}
+
+TEST(DepthConsensus, HeightsNearbyAreNotThoseOfWhatIsFarAway) {
+  // an end of the left segment is near, but the end of its counterpart, whose height is known, is
+  // not
+  const Stretch whole{40.0, 360.0};
+  EXPECT_EQ(heights_beside(whole, {200.0, 230.0}, kHeightM)[0] > 4.5,
+            heights_beside(whole, {200.0, 230.0}, 3.0)[0] > 4.5);
+}
+
 TEST(DepthConsensus, ChangesNoLineThatIsNotAligned) {
   const LineGroup group = make_group(eave(30.0), {{0.0, 80}, {1.0, 110}});
   const ReconstructedLine published = group.reconstruct(test::published())[0];
-  const ReconstructedLine line = group.reconstruct(EstimationOptions{})[0];
+  EstimationOptions options;
+  options.beyond.common_part = false;
+  const ReconstructedLine line = group.reconstruct(options)[0];
   EXPECT_STREQ(status_name(line), "direct");
   EXPECT_EQ(segment_of(line).start, segment_of(published).start);
   EXPECT_EQ(segment_of(line).end, segment_of(published).end);
