@@ -36,21 +36,21 @@ struct JudgeFilesOptions {
   io::ReadLinesOptions lines;
   evaluate::JudgeOptions judge;
   evaluate::SummaryOptions summary;
-  bool scale_to_ground = false;  ///< see set_plan_scale()
-  /// Whether to remove a significant shift from the lines and judge them again.
-  bool apply_shift = false;
   /// Number of decoys per file, see evaluate::make_decoys(); default: evaluate::default_n_decoys().
   /// With 0, the lines are not compared with themselves elsewhere either.
   std::optional<std::size_t> n_decoys = {};
-  /// Whether lines that fit the cloud no better than elsewhere cause an error instead of a warning.
-  bool refuse_other_places = true;
   std::string geoid;  ///< grid for explaining a shift, see io::geoid_at(); may be empty
   /// Memory for the points held at a time, see judge_in_batches(). 512 MiB hold
   /// about 5.6 million.
   std::uint64_t cloud_memory_mib = 512;
-  bool needs_models = false;  ///< whether line files must be models of buildings
   /// Attributes of the buildings by which the figures of models are grouped.
   std::vector<std::string> by;
+  bool scale_to_ground = false;  ///< see set_plan_scale()
+  /// Whether to remove a significant shift from the lines and judge them again.
+  bool apply_shift = false;
+  /// Whether lines that fit the cloud no better than elsewhere cause an error instead of a warning.
+  bool refuse_other_places = true;
+  bool needs_models = false;  ///< whether line files must be models of buildings
 };
 
 struct JudgedFiles {
