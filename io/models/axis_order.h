@@ -11,7 +11,7 @@ namespace ridgeline::io {
 ///   1. by location: if the median vertex lies in the CRS's area of use in only one of the two
 ///      orders, that order is used;
 ///   2. otherwise a projected CRS is read as east, north, which most programs write;
-///   3. otherwise degrees are read in the order of EPSG if `keeps_axis_order`, see SrsName.
+///   3. otherwise degrees are read in EPSG axis order if `keeps_axis_order`, see SrsName.
 void settle_axis_order(bool keeps_axis_order, BuildingModel& model);
 
 }  // namespace ridgeline::io

@@ -12,9 +12,9 @@ namespace ridgeline::reconstruct {
 /// zero everywhere.
 using BandRanges = std::vector<std::array<double, 2>>;
 
-/// The ranges that are stretched to [0, 1]: the middle 99 % of the values of each band, widened by
-/// a quarter on each side as far as the band has values there. `raw`: CV_8UC(n) or CV_16UC(n), n =
-/// 1..4, not empty; throws std::invalid_argument otherwise.
+/// The ranges that are stretched to [0, 1]: the middle 99 % of the values of each band, widened on
+/// each side by a quarter of its width, but not beyond the smallest and largest value of the band.
+/// `raw`: CV_8UC(n) or CV_16UC(n), n = 1..4, not empty; throws std::invalid_argument otherwise.
 BandRanges band_ranges(const cv::Mat& raw);
 
 /// Brings an image of any radiometric depth to a common scale: CV_32FC(n) in [0, 1]. Values outside

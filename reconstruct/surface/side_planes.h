@@ -27,9 +27,9 @@ struct SidePlane {
   /// Sigma of the disparity of a line that bounds the surface or lies on it: the sigma of the
   /// plane, combined with 0.3 px for gutters and for steps that are widened by the matching.
   [[nodiscard]] double sigma_on_line_px(double t_px) const;
-  /// Whether at least half of the strip lies on the plane. In training villages and scenes of
-  /// another renderer, 15 of 53 planes next to true roof edges with a share below 0.4 were off by
-  /// more than a metre, but only 7 of 2314 planes with a share of 0.6 or more.
+  /// Whether at least half of the strip lies on the plane. In training villages and scenes from
+  /// a second renderer, 15 of the 53 planes that had a share below 0.4 next to true roof edges were
+  /// off by more than a metre, but only 7 of the 2314 planes with a share of 0.6 or more.
   [[nodiscard]] bool is_trusted() const { return share >= 0.5; }
 };
 

@@ -58,8 +58,8 @@ CopcNode read_node(const std::byte* entry, std::uint64_t file_size) {
   return node;
 }
 
-// Every page is read once, and all pages together are no longer than the file, so reading also ends
-// for a hierarchy that refers to itself or whose pages overlap.
+// Every page is read once, and all pages together are no longer than the file, so reading
+// terminates even if the hierarchy refers to itself or its pages overlap.
 std::vector<CopcNode> read_pages(std::span<const std::byte> file, Page root) {
   std::vector<CopcNode> nodes;
   std::uint64_t n_left = file.size();

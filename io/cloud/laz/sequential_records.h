@@ -15,9 +15,9 @@
 
 namespace ridgeline::io::laz {
 
-/// Records that can only be decoded one after the other, from the first: those of a file without
-/// chunks or without a usable chunk table. Returns them in blocks, from any thread; some blocks are
-/// kept for slightly late requests.
+/// Records that can only be decoded sequentially from the first: those of a file without chunks or
+/// without a usable chunk table. Returns them in blocks, to any thread; the latest blocks are kept
+/// for requests that arrive slightly out of order.
 class SequentialRecords {
  public:
   static constexpr std::size_t kBlocksKept = 32;  ///< twice the number that a reader decodes ahead

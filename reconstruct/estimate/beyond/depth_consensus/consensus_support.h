@@ -10,11 +10,11 @@
 namespace ridgeline::reconstruct {
 
 /// Determines the support of aligned tracks whose evidence agrees on the depth (agree_on_depth()).
-/// A track yields the lines that it shows, usually one, each with the artificial points that agree.
-/// Points on the surface beside the line are added if the surface is known. Otherwise the ends of
-/// both segments are added if they agree and the artificial points fix no direction.
+/// A track yields the lines that it supports, usually one, each with the artificial points that
+/// agree. Points on the surface next to the line are added if the surface is known. Otherwise the
+/// ends of both segments are added if they agree and the points do not determine a direction.
 /// @param lines       must live as long as the result; so must the surfaces
-/// @param direct      the lines by `direct`; their ends give likely heights
+/// @param direct      the lines from `direct`; their ends give likely heights
 /// @param surface_of  the surfaces of the pairs (options.surface)
 SupportOfTrack consensus_support(const TrackedLines& lines,
                                  std::span<const ReconstructedLine> direct,
