@@ -4,6 +4,7 @@
 #include "apps/common/outcome.h"
 #include "apps/pipeline/check_patch.h"
 #include "apps/pipeline/made_from.h"
+#include "apps/pipeline/patch_scene.h"
 #include "apps/run/judge_patch.h"
 #include "apps/run/patch_stages.h"
 #include "evaluate/tables/shift_text.h"
@@ -100,7 +101,7 @@ PatchResult run_patch(const io::Patch& patch,
   result.edges = reconstruction.edge_facts();
   for (const Stage& stage : std::span(stages).subspan(n)) {
     if (made.is_done(stage.name, stage.key)) continue;
-    for (const std::string& file : stage.files) out.remove(id + "/" + file);
+    for (const std::string& file : stage.files) out.remove(fmt::format("{}/{}", id, file));
   }
   if (n < stages.size()) return result;
   judgement.read(result);
