@@ -43,7 +43,6 @@ void add_judge_options(CLI::App& app, ParameterArguments& arguments) {
 
 void add_matcher_option(CLI::App& app, std::string& name) {
   app.add_option("--matcher", name, "matcher of line segments: pairwise or chio")
-      ->check(CLI::IsMember({"pairwise", "chio"}))
       ->capture_default_str();
 }
 

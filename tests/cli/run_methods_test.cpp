@@ -87,7 +87,10 @@ TEST_F(RunSample, RunsWithDifferentMatchersAreComparedByWhatTheyFind) {
 }
 
 TEST_F(RunPatch, RefusesAnUnknownMatcher) {
-  EXPECT_REFUSED(run_patch("out", {"--matcher", "other"}), HasSubstr("other"));
+  for (const char* matcher : {"other", "pairwise,chio"}) {
+    EXPECT_REFUSED(run_patch("out", {"--matcher", matcher}),
+                   HasSubstr(std::string(matcher) + ", must be pairwise or chio"));
+  }
 }
 
 TEST_F(RunSample, MethodsDifferOnAlignedLinesOnlyUnlessFacesAdjustThem) {
