@@ -3,12 +3,12 @@
 
 #include "io/cloud/binary_table.h"
 #include "io/error.h"
+#include "io/text/table_row.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -197,27 +197,6 @@ bool is_text_row(std::string_view line) {
   if (word == line.end()) return false;
   // A line "; note" is a comment, but a leading ";" may also mean an empty field before a number.
   return line.front() != ';' || starts_number(*word) || *word == '"';
-}
-
-std::optional<double> table_number(std::string_view field) {
-  constexpr std::size_t kMaxLength = 64;
-  if (field.starts_with('+')) field.remove_prefix(1);  // from_chars takes no plus sign
-  std::array<char, kMaxLength> with_point{};
-  if (const std::size_t comma = field.find(','); comma != std::string_view::npos) {
-    if (field.size() > kMaxLength ||
-        field.find_first_of(",.", comma + 1) != std::string_view::npos ||
-        field.find('.') != std::string_view::npos) {
-      return std::nullopt;
-    }
-    std::ranges::copy(field, with_point.begin());
-    with_point[comma] = '.';
-    field = {with_point.data(), field.size()};
-  }
-  double value = 0.0;
-  const char* const last = field.data() + field.size();
-  const auto [end, error] = std::from_chars(field.data(), last, value);
-  if (field.empty() || error != std::errc{} || end != last) return std::nullopt;
-  return value;
 }
 
 std::unique_ptr<CloudSource> open_text_table(TextTable table,

@@ -40,10 +40,6 @@ class TextFields {
 /// Whether a line is a row: neither blank nor a comment, which starts with # % ! ; or //.
 bool is_text_row(std::string_view line);
 
-/// A number in a table, with a decimal point or comma; a comma is accepted only where it cannot be
-/// anything else: "1,5" but not "1,500.0" or "1,500,000".
-std::optional<double> table_number(std::string_view field);
-
 /// One item of a line: a number that is kept or not, or a list (its length, then that many
 /// numbers).
 struct TextItem {

@@ -89,6 +89,13 @@ CrsFacts describe(const Crs& crs) {
   });
 }
 
+bool states_geocentric(const Crs& crs) {
+  if (!crs.known()) return false;
+  const proj::Context context = proj::make_context();
+  const proj::Object whole(proj_create(context.get(), crs.definition.c_str()));
+  return whole && proj_get_type(whole.get()) == PJ_TYPE_GEOCENTRIC_CRS;
+}
+
 std::string to_wkt(const Crs& crs) {
   const proj::Context context = proj::make_context();
   const proj::Object whole = proj::create_crs(context.get(), crs);

@@ -51,6 +51,10 @@ bool is_wkt(const Crs& crs);
 /// PROJ cannot read the definition or does not find its database.
 CrsFacts describe(const Crs& crs);
 
+/// Whether the definition is that of geocentric coordinates, which describe() refuses; false if it
+/// is empty or PROJ cannot read it.
+bool states_geocentric(const Crs& crs);
+
 /// The CRS as WKT1 in GDAL's dialect, which LAS readers of every age understand.
 /// Throws std::invalid_argument if PROJ cannot read the definition or cannot express it in this
 /// form.

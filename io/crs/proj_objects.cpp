@@ -24,6 +24,13 @@ bool is_code(std::string_view text) {
          });
 }
 
+/// "EPSG:25832+7837" for "EPSG: 25832 + 7837"; other definitions unchanged.
+std::string code_without_blanks(const std::string& definition) {
+  std::string dense = definition;
+  std::erase_if(dense, [](unsigned char c) { return std::isspace(c) != 0; });
+  return is_code(dense) ? dense : definition;
+}
+
 /// Whether the definition is something other than a name. PROJ takes any other text for a name and
 /// searches for a similar one: "foo" finds Amersfoort.
 bool is_definite(PJ_CONTEXT* context, const std::string& definition) {
@@ -61,13 +68,14 @@ void check_data(PJ_CONTEXT* context) {
 Object create_crs(PJ_CONTEXT* context, const Crs& crs) {
   constexpr std::size_t kShown = 80;
   const std::string shown = crs.definition.substr(0, kShown);
-  if (!is_definite(context, crs.definition)) {
+  const std::string definition = code_without_blanks(crs.definition);
+  if (!is_definite(context, definition)) {
     check_data(context);
     check(false, "crs = \"", shown,
           "\", must be a code (EPSG:25832, EPSG:25832+7837, urn:ogc:def:crs:...), WKT, PROJJSON or "
           "a PROJ string (+proj=... +type=crs)");
   }
-  Object whole(proj_create(context, crs.definition.c_str()));
+  Object whole(proj_create(context, definition.c_str()));
   if (!whole) check_data(context);
   check(whole != nullptr, "crs = \"", shown, "\", must be a definition known to PROJ");
   return whole;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/kinds/orientation_kind.h"
 
+#include "io/text/pat_b_record.h"
 #include "io/text/table_row.h"
 #include "io/text/text.h"
+#include "io/text/utf8.h"
 
 #include <algorithm>
 #include <array>
@@ -19,8 +21,8 @@ bool has_part(std::string_view text, std::string_view part) {
 }
 
 bool all_numbers(std::span<const std::string_view> words) {
-  return std::ranges::all_of(words,
-                             [](std::string_view word) { return to_double(word).has_value(); });
+  return std::ranges::all_of(
+      words, [](std::string_view word) { return fortran_number(word).has_value(); });
 }
 
 std::optional<OrientationFormat> format_of_xml(std::string_view start) {
@@ -33,13 +35,13 @@ std::optional<OrientationFormat> format_of_xml(std::string_view start) {
 /// Number and position, then five and four elements of a matrix that are at most 1.
 bool is_pat_b(std::span<const TextRow> rows) {
   if (rows.size() < 3) return false;
-  const std::vector<std::string_view> head = words_of(rows[0].text);
+  const std::vector<std::string_view> head = pat_b_words(rows[0].text, 4);
   if (head.size() != 4 && head.size() != 5) return false;
   if (!all_numbers(std::span(head).subspan(1))) return false;
   for (const std::size_t row : {1U, 2U}) {
-    const std::vector<std::string_view> words = words_of(rows[row].text);
+    const std::vector<std::string_view> words = pat_b_words(rows[row].text, 6 - row);
     const bool is_element = std::ranges::all_of(words, [](std::string_view word) {
-      const std::optional<double> value = to_double(word);
+      const std::optional<double> value = fortran_number(word);
       return value && *value >= -1.0 && *value <= 1.0;
     });
     if (words.size() != 6 - row || !is_element) return false;
@@ -52,8 +54,8 @@ bool is_pat_b(std::span<const TextRow> rows) {
 bool is_opk_row(std::string_view row) {
   constexpr int kNumbers = 6;
   const std::vector<std::string> fields = table_fields(row, separator_of(row));
-  if (fields.size() < kNumbers + 1 || to_double(fields[0])) return false;
-  const auto is_number = [](const std::string& field) { return to_double(field).has_value(); };
+  if (fields.size() < kNumbers + 1 || table_number(fields[0])) return false;
+  const auto is_number = [](const std::string& field) { return table_number(field).has_value(); };
   if (std::ranges::count_if(fields, is_number) > kNumbers + 1) return false;  // some other table
   return std::all_of(fields.begin() + 1, fields.begin() + 1 + kNumbers, is_number) ||
          std::all_of(fields.end() - kNumbers, fields.end(), is_number);
@@ -68,11 +70,10 @@ std::optional<OrientationFormat> format_of_rows(std::span<const TextRow> rows) {
   for (const TextRow& row : rows) {
     if (!opk_columns(row.text).empty()) return OrientationFormat::kOpkTable;
     if (is_roll_pitch_yaw(row.text)) return OrientationFormat::kRollPitchYaw;
-    if (!row.text.starts_with('#')) break;
+    if (!is_comment_row(row.text)) break;
   }
-  const auto first = std::ranges::find_if(rows, [](const TextRow& row) {
-    return !row.text.starts_with('#') && !row.text.starts_with("//");
-  });
+  const auto first =
+      std::ranges::find_if(rows, [](const TextRow& row) { return !is_comment_row(row.text); });
   if (first == rows.end()) return std::nullopt;
   if (is_pat_b(rows.subspan(static_cast<std::size_t>(first - rows.begin()))))
     return OrientationFormat::kPatB;
@@ -82,7 +83,8 @@ std::optional<OrientationFormat> format_of_rows(std::span<const TextRow> rows) {
 
 }  // namespace
 
-std::optional<OrientationFormat> orientation_format(std::string_view start) {
+std::optional<OrientationFormat> orientation_format(std::string_view bytes) {
+  const std::string start = as_utf8(bytes);
   const std::vector<TextRow> rows = rows_of(start);
   if (rows.empty()) return std::nullopt;
   const std::string_view first = rows.front().text;

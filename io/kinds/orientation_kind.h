@@ -19,9 +19,9 @@ enum class OrientationFormat : std::uint8_t {
   kMetashape,
 };
 
-/// Identifies the format of an orientation by the beginning of its file, without a byte order mark;
-/// std::nullopt if it is not an orientation.
-std::optional<OrientationFormat> orientation_format(std::string_view start);
+/// Identifies the format of an orientation by the first bytes of its file, without a byte order
+/// mark; std::nullopt if it is not an orientation.
+std::optional<OrientationFormat> orientation_format(std::string_view bytes);
 
 /// "an orientation of images (OpenSfM)".
 const char* what_is(OrientationFormat format);

@@ -4,6 +4,7 @@
 #include "io/lines/feature_collector.h"
 #include "io/lines/ogr_geometry.h"
 #include "io/lines/readers.h"
+#include "io/text/table_row.h"
 #include "io/text/text.h"
 #include "io/text/wkt.h"
 
@@ -26,7 +27,7 @@ constexpr char kOneField = '\0';
 
 /// The separator of a row: the first of the list ; tab , | that occurs outside quotes, otherwise a
 /// blank if there are several words.
-char separator_of(std::string_view row) {
+char separator_of_lines(std::string_view row) {
   std::string unquoted;
   bool quoted = false;
   for (const char c : row) {
@@ -52,11 +53,7 @@ std::vector<std::string> row_fields(std::string_view row,
 
 /// A number; its decimal mark may be a comma if commas do not separate the fields.
 std::optional<double> coordinate_of(const std::string& word, char separator) {
-  const std::optional<double> number = to_double(word);
-  if (number || separator == ',' || std::ranges::count(word, ',') != 1) return number;
-  std::string with_point(word);
-  std::ranges::replace(with_point, ',', '.');
-  return to_double(with_point);
+  return separator == ',' ? to_double(word) : table_number(word);
 }
 
 /// Where a row holds a line's geometry.
@@ -173,14 +170,14 @@ Layout layout_of(const std::string& path, const std::vector<TextRow>& rows) {
   for (; i < rows.size(); ++i) {
     const std::optional<std::string_view> comment = comment_of(rows[i].text);
     const std::string_view text = comment.value_or(rows[i].text);
-    layout.separator = stated.value_or(separator_of(text));
+    layout.separator = stated.value_or(separator_of_lines(text));
     const std::string where = place(path, rows[i].number);
     layout.header = row_fields(text, layout.separator, where);
     layout.header_row = i;
     if (!comment) break;
     if (!is_header(layout.header, layout.separator)) continue;
     // NumPy writes any header before rows with its own separator
-    if (!stated && i + 1 < rows.size()) layout.separator = separator_of(rows[i + 1].text);
+    if (!stated && i + 1 < rows.size()) layout.separator = separator_of_lines(rows[i + 1].text);
     break;
   }
   if (i == rows.size()) {

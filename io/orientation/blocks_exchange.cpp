@@ -3,7 +3,9 @@
 #include "io/error.h"
 #include "io/orientation/camera_file.h"
 #include "io/orientation/geocentric_poses.h"
+#include "io/orientation/left_out.h"
 #include "io/orientation/readers.h"
+#include "io/orientation/unread_elements.h"
 #include "io/orientation/xml_tree.h"
 #include "io/text/text.h"
 #include "reconstruct/geometry/degrees.h"
@@ -14,6 +16,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <optional>
 
 namespace ridgeline::io {
 namespace {
@@ -96,6 +101,33 @@ InteriorOrientation photogroup_interior(const std::string& path, const XmlElemen
   return interior;
 }
 
+/// The rotation from world to image axes (x right, y down, z forwards) given by heading, elevation
+/// and roll of the optical axis: at zero it points north, at a pitch of -90 degrees it points down
+/// and the rows of the image run from north to south. Angles of an aircraft, whose camera looks
+/// down at zero, are refused.
+Eigen::Matrix3d image_from_world(const XmlElement& rotation) {
+  const double pitch_deg = rotation.number("Pitch");
+  constexpr double kMaxPitch_deg = -20.0;
+  if (!(pitch_deg <= kMaxPitch_deg)) {
+    rotation.fail(fmt::format(
+        "Pitch = {}; must be at most {} degrees, as of a camera that looks down; for angles of the "
+        "aircraft, export omega, phi and kappa or matrices instead",
+        pitch_deg, kMaxPitch_deg));
+  }
+  const auto turn = [&](double angle_deg, const Eigen::Vector3d& axis) {
+    return Eigen::AngleAxisd(kRadPerDeg * angle_deg, axis);
+  };
+  const Eigen::Matrix3d ned_from_body = (turn(rotation.number("Yaw"), Eigen::Vector3d::UnitZ()) *
+                                         turn(pitch_deg, Eigen::Vector3d::UnitY()) *
+                                         turn(rotation.number("Roll"), Eigen::Vector3d::UnitX()))
+                                            .toRotationMatrix();
+  Eigen::Matrix3d enu_from_ned;
+  enu_from_ned << 0, 1, 0, 1, 0, 0, 0, 0, -1;
+  Eigen::Matrix3d body_from_image;
+  body_from_image << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  return (enu_from_ned * ned_from_body * body_from_image).transpose();
+}
+
 /// The rotation from world to the file's camera axes.
 Eigen::Matrix3d rotation_of(const XmlElement& rotation) {
   if (rotation.child("Omega").exists()) {
@@ -125,52 +157,112 @@ class ExchangeReader {
       throw IoError(path_, fmt::format("has {} blocks; must have one", blocks.size()));
     }
     orientation_.format = "BlocksExchange";
-    for (const XmlElement& group : blocks[0].children("Photogroups")) {
-      for (const XmlElement& photogroup : group.children("Photogroup")) add_group(photogroup);
-    }
-    if (n_unposed_ > 0) {
-      orientation_.warnings.push_back(
-          fmt::format("photos without a pose, ignored: {}", n_unposed_));
-    }
-    if (n_heights_ > 0) orientation_.ground_height_m = sum_of_heights_m_ / n_heights_;
+    read_photos(blocks[0]);
+    orientation_.warnings = left_out_.sentences();
+    if (!unread_.sentence().empty()) orientation_.warnings.push_back(unread_.sentence());
     place_on_earth(srs_of(blocks[0].child("SRSId").text()));
+    orientation_.ground_height_m = ground_height_m();
     return std::move(orientation_);
   }
 
  private:
-  void add_group(const XmlElement& photogroup) {
-    const std::string name = photogroup.child("Name").text();
-    orientation_.cameras.push_back(
-        {name.empty() ? fmt::format("photogroup {}", orientation_.cameras.size()) : name,
-         photogroup_interior(path_, photogroup)});
-    const Eigen::Matrix3d ours = ours_from_axes(photogroup);
-    for (const XmlElement& photo : photogroup.children("Photo")) add_photo(photo, ours);
+  void read_photos(const XmlElement& block) {
+    std::vector<XmlElement> photogroups;
+    for (const XmlElement& group : block.children("Photogroups")) {
+      std::ranges::copy(group.children("Photogroup"), std::back_inserter(photogroups));
+    }
+    main_component_ = main_component_of(photogroups);
+    for (const XmlElement& photogroup : photogroups) {
+      std::optional<GroupCamera> camera;
+      for (const XmlElement& photo : photogroup.children("Photo")) {
+        if (!is_read(photo)) continue;
+        if (!camera) camera = add_camera(photogroup);
+        add_photo(photo, *camera);
+      }
+    }
   }
 
-  void add_photo(const XmlElement& photo, const Eigen::Matrix3d& ours_from_file) {
-    const XmlElement rotation = photo.child("Pose/Rotation");
-    const XmlElement centre = photo.child("Pose/Center");
-    if (!rotation.exists() || !centre.exists()) {
-      ++n_unposed_;
-      return;
+  static bool has_pose(const XmlElement& photo) {
+    return photo.child("Pose/Rotation").exists() && photo.child("Pose/Center").exists();
+  }
+
+  /// The component with the most poses. Only its photos are tied to each other.
+  static std::string main_component_of(const std::vector<XmlElement>& photogroups) {
+    std::map<std::string, int> n_poses;
+    for (const XmlElement& photogroup : photogroups) {
+      for (const XmlElement& photo : photogroup.children("Photo")) {
+        if (has_pose(photo)) ++n_poses[photo.child("Component").text()];
+      }
     }
+    const auto main = std::ranges::max_element(n_poses, {}, &decltype(n_poses)::value_type::second);
+    return main == n_poses.end() ? "" : main->first;
+  }
+
+  bool is_read(const XmlElement& photo) {
+    const std::string path = photo.child("ImagePath").text();
+    const std::string shown =
+        path.empty() ? "Id " + photo.child("Id").text() : path.substr(path.find_last_of("/\\") + 1);
+    const auto leave_out = [&](const char* reason) {
+      left_out_.add(reason, shown);
+      return false;
+    };
+    if (!has_pose(photo)) return leave_out("photos without a pose");
+    if (path.empty()) return leave_out("photos without a name");
+    return photo.child("Component").text() == main_component_ ||
+           leave_out("photos of other components");
+  }
+
+  /// The camera of a photogroup, which is read only if a photo needs it.
+  struct GroupCamera {
+    std::size_t number = 0;  ///< in Orientation::cameras
+    Eigen::Matrix3d ours_from_axes;
+  };
+
+  GroupCamera add_camera(const XmlElement& photogroup) {
+    const std::string name = photogroup.child("Name").text();
+    const std::size_t number = orientation_.cameras.size();
+    orientation_.cameras.push_back({name.empty() ? fmt::format("photogroup {}", number) : name,
+                                    photogroup_interior(path_, photogroup)});
+    unread_.note(photogroup,
+                 {"Name", "ImageDimensions", "CameraModelType", "CameraModelBand", "FocalLength",
+                  "FocalLengthPixels", "FocalLength35mmEq", "SensorSize", "CameraOrientation",
+                  "PrincipalPoint", "Distortion", "AspectRatio", "Skew", "Photo"});
+    unread_.note(photogroup.child("Distortion"), {"K1", "K2", "K3", "P1", "P2"});
+    return {number, ours_from_axes(photogroup)};
+  }
+
+  void add_photo(const XmlElement& photo, const GroupCamera& camera) {
+    const XmlElement rotation = photo.child("Pose/Rotation");
+    unread_.note(photo, {"Id", "ImagePath", "Name", "Component", "Pose", "NearDepth", "MedianDepth",
+                         "FarDepth", "ExifData", "ViewerInfo", "DepthPath"});
     OrientedImage image;
     image.name = photo.child("ImagePath").text();
-    if (image.name.empty()) photo.fail("ImagePath is missing");
-    image.camera = orientation_.cameras.size() - 1;
-    image.exterior.position_m = centre.xyz();
-    image.exterior.world_from_camera_axes =
-        rotation_of(rotation).transpose() * ours_from_file.transpose();
-    add_ground(photo, image.exterior);
+    image.camera = camera.number;
+    image.exterior.position_m = photo.child("Pose/Center").xyz();
+    if (rotation.child("Yaw").exists()) {
+      const Eigen::Vector3d down_and_forwards(1.0, -1.0, -1.0);
+      image.exterior.world_from_camera_axes =
+          image_from_world(rotation).transpose() * down_and_forwards.asDiagonal();
+    } else {
+      image.exterior.world_from_camera_axes =
+          rotation_of(rotation).transpose() * camera.ours_from_axes.transpose();
+    }
+    depths_m_.push_back(photo.number_if_there("MedianDepth"));
     orientation_.images.push_back(std::move(image));
   }
 
-  /// The ground is assumed to lie at the median depth below the centre of a photo.
-  void add_ground(const XmlElement& photo, const ExteriorOrientation& exterior) {
-    const auto depth = photo.number_if_there("MedianDepth");
-    if (!depth) return;
-    sum_of_heights_m_ += exterior.position_m.z() - *depth * exterior.world_from_camera_axes(2, 2);
-    ++n_heights_;
+  /// The mean height of the ground, which is assumed to lie at the median depth below the centre
+  /// of a photo. The poses must be on the map.
+  [[nodiscard]] std::optional<double> ground_height_m() const {
+    double sum_m = 0.0;
+    int n = 0;
+    for (std::size_t i = 0; i < depths_m_.size(); ++i) {
+      if (!depths_m_[i]) continue;
+      const ExteriorOrientation& exterior = orientation_.images[i].exterior;
+      sum_m += exterior.position_m.z() - *depths_m_[i] * exterior.world_from_camera_axes(2, 2);
+      ++n;
+    }
+    return n > 0 ? std::optional(sum_m / n) : std::nullopt;
   }
 
   [[nodiscard]] std::string srs_of(const std::string& id) const {
@@ -194,6 +286,9 @@ class ExchangeReader {
                             orientation_);
     }
     orientation_.crs.definition = srs == "WGS84" ? "EPSG:4326" : srs;
+    if (states_geocentric(orientation_.crs)) {
+      convert_to_map(path_, Eigen::Isometry3d::Identity(), options_.crs, orientation_);
+    }
   }
 
   std::string path_;
@@ -201,9 +296,10 @@ class ExchangeReader {
   XmlElement root_;
   const OrientationOptions& options_;
   Orientation orientation_;
-  double sum_of_heights_m_ = 0.0;
-  int n_heights_ = 0;
-  int n_unposed_ = 0;
+  std::vector<std::optional<double>> depths_m_;  ///< median depth of each image
+  std::string main_component_;
+  LeftOut left_out_;
+  UnreadElements unread_;
 };
 
 }  // namespace

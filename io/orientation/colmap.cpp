@@ -20,17 +20,32 @@
 namespace ridgeline::io {
 namespace {
 
-using Cameras = std::map<std::uint32_t, InteriorOrientation>;
-
 struct CameraModel {
   int id;  ///< id of the model in .bin files
   std::string_view name;
   std::size_t n_params;
+  bool is_supported = true;
 };
 
-constexpr std::array kModels{CameraModel{0, "SIMPLE_PINHOLE", 3}, CameraModel{1, "PINHOLE", 4},
-                             CameraModel{2, "SIMPLE_RADIAL", 4}, CameraModel{3, "RADIAL", 5},
-                             CameraModel{4, "OPENCV", 8}};
+constexpr std::array kModels{CameraModel{0, "SIMPLE_PINHOLE", 3},
+                             CameraModel{1, "PINHOLE", 4},
+                             CameraModel{2, "SIMPLE_RADIAL", 4},
+                             CameraModel{3, "RADIAL", 5},
+                             CameraModel{4, "OPENCV", 8},
+                             CameraModel{5, "OPENCV_FISHEYE", 8, false},
+                             CameraModel{6, "FULL_OPENCV", 12, false},
+                             CameraModel{7, "FOV", 5, false},
+                             CameraModel{8, "SIMPLE_RADIAL_FISHEYE", 4, false},
+                             CameraModel{9, "RADIAL_FISHEYE", 5, false},
+                             CameraModel{10, "THIN_PRISM_FISHEYE", 12, false},
+                             CameraModel{11, "RAD_TAN_THIN_PRISM_FISHEYE", 16, false}};
+
+/// A camera of the model. One that is not supported is refused when an image uses it.
+struct ColmapCamera {
+  std::string_view unsupported;  ///< name of its camera model; empty for a supported one
+  InteriorOrientation interior;
+};
+using Cameras = std::map<std::uint32_t, ColmapCamera>;
 
 [[noreturn]] void refuse_model(const std::string& where, std::string_view model) {
   throw IoError(where,
@@ -84,7 +99,8 @@ const InteriorOrientation& camera_of(const Cameras& cameras,
                                      const std::string& where) {
   const auto it = cameras.find(id);
   if (it == cameras.end()) throw IoError(where, fmt::format("camera {} is not in the model", id));
-  return it->second;
+  if (!it->second.unsupported.empty()) refuse_model(where, it->second.unsupported);
+  return it->second.interior;
 }
 
 /// Reads the rows of a text file one by one, without comments, so that files of any size take
@@ -152,11 +168,15 @@ Cameras read_cameras_text(const std::string& path) {
       throw IoError(where,
                     fmt::format("{} fields; {} has {}", words.size(), name, 4 + model->n_params));
     }
-    InteriorOrientation interior =
+    ColmapCamera& camera = cameras[id_of(words[0], where)];
+    if (!model->is_supported) {
+      camera.unsupported = model->name;
+      continue;
+    }
+    camera.interior =
         interior_of(*model, to_doubles({words.begin() + 4, words.end()}, where), where);
     const std::vector<double> size = to_doubles({words.begin() + 2, words.begin() + 4}, where);
-    interior.size_px = size_of(size[0], size[1], where);
-    cameras[id_of(words[0], where)] = interior;
+    camera.interior.size_px = size_of(size[0], size[1], where);
   }
   return cameras;
 }
@@ -247,9 +267,14 @@ Cameras read_cameras_binary(const std::string& path) {
     if (model == kModels.end()) refuse_model(path, std::to_string(model_id));
     std::vector<double> params(model->n_params);
     for (double& param : params) param = reader.next<double>();
-    InteriorOrientation interior = interior_of(*model, params, path);
-    interior.size_px = size_of(static_cast<double>(width), static_cast<double>(height), path);
-    cameras[id] = interior;
+    ColmapCamera& camera = cameras[id];
+    if (!model->is_supported) {
+      camera.unsupported = model->name;
+      continue;
+    }
+    camera.interior = interior_of(*model, params, path);
+    camera.interior.size_px =
+        size_of(static_cast<double>(width), static_cast<double>(height), path);
   }
   return cameras;
 }

@@ -2,6 +2,7 @@
 #include "io/error.h"
 #include "io/orientation/camera_file.h"
 #include "io/orientation/inpho_blocks.h"
+#include "io/orientation/left_out.h"
 #include "io/orientation/orientation_text.h"
 #include "io/orientation/readers.h"
 #include "io/text/text.h"
@@ -24,17 +25,11 @@ class InphoReader {
 
   [[nodiscard]] Orientation read() {
     orientation_.format = "Inpho project";
-    for (const InphoBlock& block : blocks_) {
-      if (block.name == "$CAMERA" || block.name == "$CAMERA_DEFINITION") add_camera(block);
-      read_units(block);
-    }
+    for (const InphoBlock& block : blocks_) read_units(block);
     for (const InphoBlock& block : blocks_) {
       if (block.name == "$PHOTO") add_photo(block);
     }
-    if (n_unposed_ > 0) {
-      orientation_.warnings.push_back(
-          fmt::format("photos without $EXT_ORI, ignored: {}", n_unposed_));
-    }
+    orientation_.warnings = left_out_.sentences();
     if (n_heights_ > 0) orientation_.ground_height_m = sum_of_heights_m_ / n_heights_;
     return std::move(orientation_);
   }
@@ -108,7 +103,8 @@ class InphoReader {
 
   void add_camera(const InphoBlock& block) {
     require_closed(block);
-    const std::string id = block.text(block.name == "$CAMERA" ? "$TYPE" : "$ID");
+    const std::string id = camera_id_of(block);
+    note_fiducials(block, id);
     const std::string prefix = calibration_of(block);
     const auto key = [&](const char* name) {
       return block.find(prefix + name) != nullptr ? prefix + name : std::string(name);
@@ -204,13 +200,16 @@ class InphoReader {
 
   void add_photo(const InphoBlock& block) {
     require_closed(block);
-    if (block.find("$EXT_ORI") == nullptr) {
-      ++n_unposed_;
-      return;
-    }
     OrientedImage image;
     image.name = block.text("$PHOTO_FILE");
     if (image.name.empty()) image.name = block.text("$PHOTO_NUM");
+    if (block.find("$EXT_ORI") == nullptr) {
+      return left_out_.add("photos without $EXT_ORI", image.name);
+    }
+    if (image.name.empty()) {
+      return left_out_.add("photos without a name", fmt::format("row {}", block.row));
+    }
+    note_fiducials(block, image.name);
     image.camera = camera_number(block);
     add_pose(block, image);
     if (block.find("$TERRAIN_HEIGHT") != nullptr) {
@@ -220,13 +219,38 @@ class InphoReader {
     orientation_.images.push_back(std::move(image));
   }
 
-  [[nodiscard]] std::size_t camera_number(const InphoBlock& block) const {
-    const std::string id = block.text("$CAMERA_ID");
+  /// Fiducial marks relate the pixels of a scan to the camera; digital cameras have none.
+  void note_fiducials(const InphoBlock& block, const std::string& name) {
+    const bool has_some = std::ranges::any_of(block.entries, [](const auto& entry) {
+      return entry.first.find("FIDUCIAL") != std::string::npos && !entry.second.rows.empty();
+    });
+    if (has_some) left_out_.add("fiducial marks", name);
+  }
+
+  static std::string camera_id_of(const InphoBlock& block) {
+    return block.text(block.name == "$CAMERA" ? "$TYPE" : "$ID");
+  }
+
+  [[nodiscard]] const InphoBlock& camera_block_of(const InphoBlock& photo) const {
+    const std::string id = photo.text("$CAMERA_ID");
+    std::vector<const InphoBlock*> cameras;
+    for (const InphoBlock& block : blocks_) {
+      if (block.name != "$CAMERA" && block.name != "$CAMERA_DEFINITION") continue;
+      if (camera_id_of(block) == id) return block;
+      cameras.push_back(&block);
+    }
+    if (cameras.size() == 1 && id.empty()) return *cameras.front();
+    fail(photo.row, fmt::format("$CAMERA_ID : {}; the file has no such camera", id));
+  }
+
+  /// The camera of a photo; cameras without photos are not read.
+  [[nodiscard]] std::size_t camera_number(const InphoBlock& photo) {
+    const InphoBlock& block = camera_block_of(photo);
     const auto& cameras = orientation_.cameras;
-    const auto camera = std::ranges::find(cameras, id, &Camera::name);
-    if (camera != cameras.end()) return static_cast<std::size_t>(camera - cameras.begin());
-    if (cameras.size() == 1 && id.empty()) return 0;
-    fail(block.row, fmt::format("$CAMERA_ID : {}; the file has no such camera", id));
+    const auto camera = std::ranges::find(cameras, camera_id_of(block), &Camera::name);
+    const std::size_t number = static_cast<std::size_t>(camera - cameras.begin());
+    if (camera == cameras.end()) add_camera(block);
+    return number;
   }
 
   /// Focal length and position, followed by the world-to-camera matrix, row by row.
@@ -257,7 +281,7 @@ class InphoReader {
   std::vector<Eigen::Matrix3d> ours_from_camera_;
   double sum_of_heights_m_ = 0.0;
   int n_heights_ = 0;
-  int n_unposed_ = 0;
+  LeftOut left_out_;
 };
 
 }  // namespace

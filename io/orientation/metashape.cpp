@@ -3,8 +3,11 @@
 #include "io/error.h"
 #include "io/orientation/camera_file.h"
 #include "io/orientation/geocentric_poses.h"
+#include "io/orientation/left_out.h"
 #include "io/orientation/readers.h"
+#include "io/orientation/unread_elements.h"
 #include "io/orientation/xml_tree.h"
+#include "io/text/text.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -12,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace ridgeline::io {
 namespace {
@@ -25,9 +29,10 @@ struct Similarity {
   double scale = 1.0;
 };
 
-Similarity similarity_of(const XmlElement& transform) {
+/// std::nullopt if the element does not exist or is empty.
+std::optional<Similarity> similarity_of(const XmlElement& transform) {
+  if (!transform.child("rotation").exists()) return std::nullopt;
   Similarity similarity;
-  if (!transform.child("rotation").exists()) return similarity;
   const std::vector<double> rotation = transform.child("rotation").numbers(9);
   similarity.rotation =
       Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rotation.data());
@@ -100,16 +105,10 @@ class ChunkReader {
     for (const XmlElement& sensor : chunk_.child("sensors").children("sensor")) {
       sensors_.emplace(sensor.attribute("id"), sensor);
     }
-    for (const XmlElement& component : chunk_.child("components").children("component")) {
-      block_from_component_.emplace(component.attribute("id"),
-                                    similarity_of(component.child("transform")));
-    }
-    chunk_from_all_ = similarity_of(chunk_.child("transform"));
+    read_components();
     add_cameras(chunk_.child("cameras"));
-    if (n_unposed_ > 0) {
-      orientation_.warnings.push_back(
-          fmt::format("cameras without a pose, ignored: {}", n_unposed_));
-    }
+    orientation_.warnings = left_out_.sentences();
+    if (!unread_.sentence().empty()) orientation_.warnings.push_back(unread_.sentence());
     place_on_earth();
     return std::move(orientation_);
   }
@@ -123,6 +122,24 @@ class ChunkReader {
     return chunks.front();
   }
 
+  /// The transformation of the chunk is that of its active component. Where any part of the chunk
+  /// has one, the place of a component without one is arbitrary; where none has, the places of all
+  /// components relative to each other are, and only the active one is read.
+  void read_components() {
+    const XmlElement components = chunk_.child("components");
+    const std::string active = components.attribute("active_id");
+    const std::optional<Similarity> of_chunk = similarity_of(chunk_.child("transform"));
+    for (const XmlElement& component : components.children("component")) {
+      const std::string id = component.attribute("id");
+      std::optional<Similarity> similarity = similarity_of(component.child("transform"));
+      if (!similarity && id == active) similarity = of_chunk;
+      if (similarity) world_from_component_.emplace(id, *similarity);
+    }
+    if (!world_from_component_.empty()) return;
+    const std::string main = components.children("component").empty() ? "" : active;
+    world_from_component_.emplace(main, of_chunk.value_or(Similarity()));
+  }
+
   /// Cameras may be in groups.
   void add_cameras(const XmlElement& parent) {
     for (const XmlElement& camera : parent.children("camera")) add_camera(camera);
@@ -132,13 +149,28 @@ class ChunkReader {
   }
 
   void add_camera(const XmlElement& camera) {
-    if (!camera.child("transform").exists()) {
-      ++n_unposed_;
-      return;
+    const std::string name = camera.attribute("label");
+    const std::string shown = name.empty() ? "id " + camera.attribute("id") : name;
+    if (!camera.child("transform").exists()) return left_out_.add("images without a pose", shown);
+    if (is_disabled(camera)) return left_out_.add("disabled images", shown);
+    if (name.empty()) return left_out_.add("images without a name", shown);
+    const Similarity* const similarity = similarity_of_component(camera);
+    if (similarity == nullptr) {
+      return left_out_.add("images of a component without a place", shown);
     }
+    unread_.note(camera, {"transform", "rotation_covariance", "location_covariance", "orientation",
+                          "reference", "accuracy", "meta", "frames", "photo", "image"});
+    add_image(camera, *similarity);
+  }
+
+  static bool is_disabled(const XmlElement& camera) {
+    const std::string enabled = lower_case(camera.attribute("enabled"));
+    return enabled == "false" || enabled == "0";
+  }
+
+  void add_image(const XmlElement& camera, const Similarity& world_from_chunk) {
     const std::vector<double> values = camera.child("transform").numbers(16);
     const Matrix4 chunk_from_cam = Eigen::Map<const Matrix4>(values.data());
-    const Similarity& world_from_chunk = similarity_at(camera.attribute("component_id"));
     OrientedImage image;
     image.name = camera.attribute("label");
     image.camera = camera_number(camera);
@@ -151,9 +183,14 @@ class ChunkReader {
     orientation_.images.push_back(std::move(image));
   }
 
-  [[nodiscard]] const Similarity& similarity_at(const std::string& component) const {
-    const auto found = block_from_component_.find(component);
-    return found == block_from_component_.end() ? chunk_from_all_ : found->second;
+  /// Null if the place of the component is unknown. Chunks with a single component may leave it
+  /// out.
+  [[nodiscard]] const Similarity* similarity_of_component(const XmlElement& camera) const {
+    const auto found = world_from_component_.find(camera.attribute("component_id"));
+    if (found != world_from_component_.end()) return &found->second;
+    const bool is_only_one =
+        camera.attribute("component_id").empty() || world_from_component_.begin()->first.empty();
+    return is_only_one ? &world_from_component_.begin()->second : nullptr;
   }
 
   /// The camera of a sensor is created when its first image needs it, so that sensors without
@@ -165,10 +202,20 @@ class ChunkReader {
     }
     const auto sensor = sensors_.find(id);
     if (sensor == sensors_.end()) camera.fail(fmt::format("sensor {} is not in the file", id));
+    note_unread(sensor->second);
     const std::string label = sensor->second.attribute("label");
     orientation_.cameras.push_back(
         {label.empty() ? "sensor " + id : label, sensor_interior(path_, sensor->second)});
     return camera_of_sensor_[id] = orientation_.cameras.size() - 1;
+  }
+
+  void note_unread(const XmlElement& sensor) {
+    unread_.note(sensor, {"resolution", "calibration", "covariance", "bands", "data_type",
+                          "black_level", "sensitivity", "vignetting", "meta", "pixel_width",
+                          "pixel_height", "focal_length", "layer_index", "fixed"});
+    unread_.note(calibration_of(sensor),
+                 {"resolution", "f", "cx", "cy", "b1", "b2", "k1", "k2", "k3", "k4", "p1", "p2",
+                  "p3", "p4", "covariance", "date"});
   }
 
   /// A block with any reference system other than a local one has geocentric coordinates.
@@ -189,11 +236,11 @@ class ChunkReader {
   const OrientationOptions& options_;
   XmlElement chunk_;
   std::map<std::string, XmlElement> sensors_;
-  std::map<std::string, Similarity> block_from_component_;
-  Similarity chunk_from_all_;
+  std::map<std::string, Similarity> world_from_component_;  ///< not empty, by id
   std::map<std::string, std::size_t> camera_of_sensor_;
   Orientation orientation_;
-  int n_unposed_ = 0;
+  LeftOut left_out_;
+  UnreadElements unread_;
 };
 
 }  // namespace

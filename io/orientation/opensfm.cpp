@@ -4,15 +4,21 @@
 #include "io/orientation/orientation_text.h"
 #include "io/orientation/readers.h"
 #include "io/text/json_text.h"
+#include "io/text/text.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <initializer_list>
 #include <set>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace ridgeline::io {
 namespace {
@@ -57,17 +63,24 @@ class OpensfmReader {
     const Json& reconstruction = largest_of(file);
     Orientation orientation;
     orientation.format = "OpenSfM reconstruction";
-    for (const auto& [name, camera] : member(reconstruction, "cameras").items()) {
-      orientation.cameras.push_back({name, interior_of(name, camera)});
-    }
+    const Json& cameras = member(reconstruction, "cameras");
     for (const auto& [name, shot] : member(reconstruction, "shots").items()) {
-      orientation.images.push_back(image_of(name, shot, orientation.cameras));
+      orientation.images.push_back(image_of(name, shot));
+      orientation.images.back().camera = camera_number(name, shot, cameras, orientation);
     }
     if (file.size() > 1) {
       orientation.warnings.push_back(
           fmt::format("has {} reconstructions; using the one with the most images", file.size()));
     }
-    place_on_earth(reconstruction, orientation);
+    if (!unread_.empty()) {
+      orientation.warnings.push_back(
+          fmt::format("members that are not read: {}", fmt::join(unread_, ", ")));
+    }
+    if (is_on_map()) {
+      place_on_map(orientation);
+    } else {
+      place_on_earth(reconstruction, orientation);
+    }
     return orientation;
   }
 
@@ -155,16 +168,49 @@ class OpensfmReader {
     return focal;
   }
 
-  [[nodiscard]] OrientedImage image_of(const std::string& name,
-                                       const Json& shot,
-                                       const std::vector<Camera>& cameras) const {
+  /// The camera of a shot, which is read when its first shot needs it: the file lists all cameras
+  /// of the data set.
+  [[nodiscard]] std::size_t camera_number(const std::string& image,
+                                          const Json& shot,
+                                          const Json& cameras,
+                                          Orientation& orientation) {
+    const Json named = shot.value("camera", Json());
+    const std::string name = named.is_string() ? named.get<std::string>() : "";
+    if (!cameras.contains(name)) {
+      fail(fmt::format("image {} does not name a camera of the file", image));
+    }
+    std::vector<Camera>& read = orientation.cameras;
+    const auto known = std::ranges::find(read, name, &Camera::name);
+    const std::size_t number = static_cast<std::size_t>(known - read.begin());
+    if (known == read.end()) {
+      read.push_back({name, interior_of(name, cameras[name])});
+      note_unread("camera", cameras[name],
+                  {"projection_type", "width", "height", "focal", "focal_x", "focal_y", "c_x",
+                   "c_y", "k1", "k2", "k3", "p1", "p2"});
+    }
+    return number;
+  }
+
+  /// Notes members that concern the pixels or the pose, except those that are zero and the values
+  /// before the adjustment.
+  void note_unread(const char* of,
+                   const Json& parent,
+                   std::initializer_list<std::string_view> known) {
+    for (const auto& [name, value] : parent.items()) {
+      if (std::ranges::find(known, name) != known.end() || name.ends_with("_prior")) continue;
+      if (value == 0 || value == false || value.is_null() || value.is_string()) continue;
+      unread_.insert(fmt::format("{} of {}", name, of));
+    }
+  }
+
+  [[nodiscard]] OrientedImage image_of(const std::string& name, const Json& shot) {
+    if (!shot.is_object()) fail(fmt::format("image {} must be an object", name));
     OrientedImage image;
     image.name = name;
-    const Json camera = shot.is_object() ? shot.value("camera", Json()) : Json();
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-      if (camera == cameras[i].name) image.camera = i;
-    }
-    if (!image.camera) fail(fmt::format("image {} does not name a camera of the file", name));
+    note_unread("shot", shot,
+                {"rotation", "translation", "camera", "orientation", "capture_time", "gps_dop",
+                 "gps_position", "gps_accuracy", "compass", "gravity_down", "opk_angles",
+                 "opk_accuracy", "sequence_key", "scale", "merge_cc", "skey"});
     const Eigen::Vector3d turn = vector(shot, "rotation");
     const double angle_rad = turn.norm();
     const Eigen::Matrix3d cam_from_world =
@@ -174,6 +220,43 @@ class OpensfmReader {
     image.exterior.position_m = -(cam_from_world.transpose() * vector(shot, "translation"));
     image.exterior.world_from_camera_axes = cam_from_world.transpose() * flip.asDiagonal();
     return image;
+  }
+
+  /// Whether the file is one of `opensfm export_geocoords`, whose positions are map coordinates
+  /// less an offset. Only its name shows this.
+  [[nodiscard]] bool is_on_map() const {
+    return lower_case(std::filesystem::path(path_).filename().string()).find("geocoords") !=
+           std::string::npos;
+  }
+
+  /// The coords.txt of OpenDroneMap states the system ("WGS84 UTM 32N" or a PROJ string) and the
+  /// offset. It lies next to the file or in the project's folder odm_georeferencing.
+  void place_on_map(Orientation& orientation) const {
+    std::string text;
+    for (const char* const name : {"coords.txt", "../odm_georeferencing/coords.txt"}) {
+      if (text.empty()) text = text_beside(path_, name);
+    }
+    const std::vector<TextRow> rows = rows_of(text);
+    if (rows.size() < 2) {
+      fail(
+          "has map coordinates less an offset, and coords.txt of OpenDroneMap, which states both, "
+          "is neither next to it nor in ../odm_georeferencing; give reconstruction.json instead");
+    }
+    const std::vector<double> offset = to_doubles(words_of(rows[1].text), path_ + ", coords.txt");
+    if (offset.size() < 2) fail("the coords.txt next to it must state an offset in x and y");
+    for (OrientedImage& image : orientation.images) {
+      image.exterior.position_m += Eigen::Vector3d(offset[0], offset[1], 0.0);
+    }
+    orientation.crs.definition = system_named(rows[0].text);
+  }
+
+  /// "EPSG:32632" for "WGS84 UTM 32N"; other definitions unchanged.
+  [[nodiscard]] static std::string system_named(std::string_view text) {
+    const std::vector<std::string_view> words = words_of(text);
+    if (words.size() != 3 || words[1] != "UTM" || words[2].empty()) return std::string(text);
+    const auto zone = to_integer(words[2].substr(0, words[2].size() - 1));
+    const int hemisphere = words[2].ends_with('N') ? 32600 : 32700;
+    return zone ? fmt::format("EPSG:{}", hemisphere + *zone) : std::string(text);
   }
 
   /// Poses are topocentric; their origin is given in the file or in reference_lla.json next to it.
@@ -200,6 +283,7 @@ class OpensfmReader {
 
   std::string path_;
   const OrientationOptions& options_;
+  std::set<std::string> unread_;  ///< "rolling_shutter of camera"
 };
 
 }  // namespace

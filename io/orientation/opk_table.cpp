@@ -20,10 +20,6 @@ namespace {
 const std::vector<std::string> kUsualColumns{"name",  "x",   "y",     "z",
                                              "omega", "phi", "kappa", "camera"};
 
-bool is_comment_row(std::string_view text) {
-  return text.starts_with('#') || text.starts_with("//");
-}
-
 /// Refuses a table whose first row names roll and yaw.
 void require_known_angles(const std::string& path, const TextRow& row) {
   const std::string text = lower_case(row.text);
@@ -93,7 +89,8 @@ class OpkTable {
     std::vector<std::string> fields = table_fields(row.text, separator);
     const std::size_t fewest = head_.columns.empty() ? 7 : head_.columns.size();
     const bool name_is_first = columns().front() == "name";
-    while (separator == ' ' && name_is_first && fields.size() > fewest && !to_double(fields[1])) {
+    while (separator == ' ' && name_is_first && fields.size() > fewest &&
+           !table_number(fields[1])) {
       fields[0] += " " + fields[1];
       fields.erase(fields.begin() + 1);
     }
@@ -113,9 +110,11 @@ class OpkTable {
                               const char* column,
                               const std::string& where) const {
     const std::string& text = fields[place_of(column)];
-    const std::optional<double> value = to_double(text);
+    const std::optional<double> value = table_number(text);
     if (!value || !std::isfinite(*value)) {
-      throw IoError(where, fmt::format("{} = {}; must be a finite number", column, text));
+      throw IoError(where, fmt::format("{} = {}; must be a finite number without thousands "
+                                       "separators",
+                                       column, text));
     }
     return *value;
   }

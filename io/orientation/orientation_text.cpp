@@ -3,6 +3,7 @@
 
 #include "io/error.h"
 #include "io/files/input_file.h"
+#include "io/text/utf8.h"
 
 #include <fmt/format.h>
 
@@ -35,7 +36,7 @@ std::string read_orientation_text(const std::string& path, std::uint64_t most_by
         fmt::format("has a zero byte at {} and is not text; the file is damaged or of another kind",
                     at));
   }
-  return text;
+  return is_utf8(text) ? text : as_utf8(text);
 }
 
 std::string text_beside(const std::string& path, std::string_view name) {

@@ -11,9 +11,9 @@ namespace ridgeline::io {
 /// less.
 constexpr std::uint64_t kMaxOrientation_bytes = std::uint64_t{32} << 20U;
 
-/// The whole text of a regular file, without a UTF-8 byte order mark. Throws IoError for a file
-/// that is missing, empty, larger than `most_bytes` (before it is read), or not a text because it
-/// contains a zero byte.
+/// The whole text of a regular file in UTF-8, without a byte order mark; bytes that are not UTF-8
+/// are read as Latin-1. Throws IoError for a file that is missing, empty, larger than `most_bytes`
+/// (before it is read), or not a text because it contains a zero byte.
 std::string read_orientation_text(const std::string& path,
                                   std::uint64_t most_bytes = kMaxOrientation_bytes);
 

@@ -3,6 +3,7 @@
 #include "io/orientation/orientation_text.h"
 #include "io/orientation/readers.h"
 #include "io/orientation/stated_cameras.h"
+#include "io/text/pat_b_record.h"
 #include "io/text/text.h"
 #include "reconstruct/geometry/transformed.h"
 
@@ -25,7 +26,7 @@ class PatBReader {
   [[nodiscard]] Orientation read() {
     Orientation orientation;
     orientation.format = "PAT-B orientation";
-    for (std::size_t row = 0; row < rows_.size(); row += kRecords) {
+    for (std::size_t row = 0; row < rows_.size() && !is_end(rows_[row]); row += kRecords) {
       if (rows_.size() - row < kRecords) {
         throw IoError(place(path_, rows_[row].number), "is truncated; an image has three records");
       }
@@ -38,16 +39,28 @@ class PatBReader {
   [[nodiscard]] const std::vector<Eigen::Matrix3d>& matrices() const { return matrices_; }
 
  private:
+  /// Some programs end the file with -99.
+  static bool is_end(const TextRow& row) { return trimmed(row.text) == "-99"; }
+
   /// Some programs write the focal length between the number and the position.
   [[nodiscard]] OrientedImage image_at(std::size_t row) const {
     const std::string where = place(path_, rows_[row].number);
-    const std::vector<std::string_view> words = words_of(rows_[row].text);
+    const std::vector<std::string_view> words = pat_b_words(rows_[row].text, 4);
     if (words.size() < 4) throw IoError(where, "the number of an image, X, Y and Z are expected");
-    const std::vector<double> position = to_doubles({words.end() - 3, words.end()}, where);
+    const std::vector<double> position = numbers_of({words.end() - 3, words.end()}, where);
     OrientedImage image;
     image.name = std::string(words.front());
     image.exterior.position_m = {position[0], position[1], position[2]};
     return image;
+  }
+
+  static std::vector<double> numbers_of(const std::vector<std::string_view>& words,
+                                        const std::string& where) {
+    return transformed(words, [&](std::string_view word) {
+      const std::optional<double> number = fortran_number(word);
+      if (!number) throw IoError(where, fmt::format("'{}' is not a number", word.substr(0, 40)));
+      return *number;
+    });
   }
 
   [[nodiscard]] Eigen::Matrix3d matrix_at(std::size_t row) const {
@@ -55,8 +68,8 @@ class PatBReader {
     for (const std::size_t record : {1U, 2U}) {
       const TextRow& text = rows_[row + record];
       const std::string where = place(path_, text.number);
-      const std::vector<double> numbers = to_doubles(words_of(text.text), where);
       const std::size_t expected = record == 1 ? 5 : 4;
+      const std::vector<double> numbers = numbers_of(pat_b_words(text.text, expected), where);
       if (numbers.size() != expected) {
         throw IoError(where, fmt::format("{} elements of the matrix; this record has {}",
                                          numbers.size(), expected));

@@ -28,14 +28,14 @@ class Pix4dReader {
   [[nodiscard]] Orientation read() {
     Orientation orientation;
     orientation.format = "Pix4D calibrated camera parameters";
-    const Eigen::Vector3d offset_m = offset();
+    const Eigen::Vector3d offset_m = offset(orientation);
     for (std::size_t row = first_row(); row < rows_.size(); row += kRowsOfImage) {
       if (rows_.size() - row < kRowsOfImage) {
         throw IoError(place(path_, rows_[row].number), "is truncated; an image has ten rows");
       }
       add_image(row, offset_m, orientation);
     }
-    orientation.crs.definition = beside("wkt.prj");
+    orientation.crs.definition = text_beside(path_, name_beside("wkt.prj"));
     return orientation;
   }
 
@@ -120,15 +120,23 @@ class Pix4dReader {
     return number;
   }
 
-  [[nodiscard]] std::string beside(std::string_view ending) const {
+  /// The name of a file of the same export: "PREFIX_offset.xyz". A renamed file is its own prefix.
+  [[nodiscard]] std::string name_beside(std::string_view ending) const {
     const std::string name = std::filesystem::path(path_).filename().string();
-    if (!name.ends_with(kSuffix)) return "";
-    return text_beside(path_, name.substr(0, name.size() - kSuffix.size()) + std::string(ending));
+    const std::string prefix = name.ends_with(kSuffix)
+                                   ? name.substr(0, name.size() - kSuffix.size())
+                                   : std::filesystem::path(name).stem().string() + "_";
+    return prefix + std::string(ending);
   }
 
-  [[nodiscard]] Eigen::Vector3d offset() const {
-    const std::string text = beside("offset.xyz");
-    if (text.empty()) return Eigen::Vector3d::Zero();
+  [[nodiscard]] Eigen::Vector3d offset(Orientation& orientation) const {
+    const std::string text = text_beside(path_, name_beside("offset.xyz"));
+    if (text.empty()) {
+      orientation.warnings.push_back(
+          fmt::format("has no {} next to it, so its positions are read without an offset",
+                      name_beside("offset.xyz")));
+      return Eigen::Vector3d::Zero();
+    }
     const std::vector<double> values = to_doubles(words_of(text), path_ + ", offset.xyz");
     if (values.size() != 3)
       throw IoError(path_, "the offset.xyz next to it must contain three numbers");

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/orientation/read_orientation.h"
 
+#include "io/crs/area_of_use.h"
 #include "io/error.h"
 #include "io/files/input_file.h"
 #include "io/kinds/orientation_kind.h"
 #include "io/kinds/recognise.h"
+#include "io/orientation/geocentric_poses.h"
 #include "io/orientation/readers.h"
 #include "io/text/table_row.h"
 #include "io/text/text.h"
 #include "io/text/utf8.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -29,7 +32,7 @@ bool is_numbered_table(std::string_view start) {
   if (rows.empty()) return false;
   const std::vector<std::string> fields = table_fields(rows[0].text, separator_of(rows[0].text));
   return fields.size() >= 7 && std::ranges::all_of(fields, [](const std::string& field) {
-           return to_double(field).has_value();
+           return table_number(field).has_value();
          });
 }
 
@@ -84,13 +87,21 @@ void check_pose(const std::string& path, const OrientedImage& image) {
   }
 }
 
+/// Leaves out images without a name, which nothing can refer to.
+void leave_out_unnamed(Orientation& orientation) {
+  const auto n = std::erase_if(orientation.images,
+                               [](const OrientedImage& image) { return image.name.empty(); });
+  if (n > 0) orientation.warnings.push_back(fmt::format("images without a name, left out: {}", n));
+}
+
 void check_images(const std::string& path, const Orientation& orientation) {
   if (orientation.images.empty()) throw IoError(path, "has no oriented image");
   std::set<std::string> names;
   for (const OrientedImage& image : orientation.images) {
-    if (image.name.empty()) throw IoError(path, "has an image without a name");
     if (!names.insert(image.name).second) {
-      throw IoError(path, fmt::format("two images are called {}", image.name));
+      throw IoError(path, fmt::format("two images are named {}; rename one of the files, so that "
+                                      "each name is unique, and export the orientation again",
+                                      image.name));
     }
     check_pose(path, image);
   }
@@ -110,23 +121,42 @@ void check_cameras(const std::string& path, const Orientation& orientation) {
   }
 }
 
-/// Assigns the user's system to a file that states none, and refuses coordinates in degrees.
-void settle_crs(const std::string& path,
-                const OrientationOptions& options,
-                Orientation& orientation) {
+/// Leaves out a stated system that PROJ cannot read.
+void leave_out_unknown_crs(Orientation& orientation) {
   std::string& definition = orientation.crs.definition;
   const bool is_proj_string = definition.starts_with('+');
   if (is_proj_string && definition.find("+type=crs") == std::string::npos)
     definition += " +type=crs";
-  if (orientation.crs.known()) {
-    try {
-      describe(orientation.crs);
-    } catch (const std::invalid_argument& error) {
-      orientation.warnings.push_back(std::string("its reference system is ignored: ") +
-                                     error.what());
-      orientation.crs = {};
-    }
+  try {
+    if (orientation.crs.known()) describe(orientation.crs);
+  } catch (const std::invalid_argument& error) {
+    orientation.warnings.push_back(std::string("its reference system is ignored: ") + error.what());
+    orientation.crs = {};
   }
+}
+
+/// Refuses positions far from where their system is used.
+void compare_with_area_of_use(const std::string& path, Orientation& orientation) {
+  try {
+    const std::string warning = check_area_of_use(
+        orientation.crs, transformed(orientation.images, [](const OrientedImage& image) {
+          return image.exterior.position_m;
+        }));
+    if (!warning.empty()) orientation.warnings.push_back(warning);
+  } catch (const std::invalid_argument& error) {
+    throw IoError(path, error.what());
+  }
+}
+
+/// Converts geocentric poses to a map, assigns the user's system to a file that states none, and
+/// refuses coordinates in degrees.
+void settle_crs(const std::string& path,
+                const OrientationOptions& options,
+                Orientation& orientation) {
+  if (states_geocentric(orientation.crs)) {
+    return convert_to_map(path, Eigen::Isometry3d::Identity(), options.crs, orientation);
+  }
+  leave_out_unknown_crs(orientation);
   if (!orientation.crs.known()) orientation.crs = options.crs;
   if (!orientation.crs.known()) return;
   const CrsFacts facts = describe(orientation.crs);
@@ -139,6 +169,7 @@ void settle_crs(const std::string& path,
     throw IoError(path,
                   fmt::format("has positions in {}; must be metres", facts.horizontal_unit_name));
   }
+  compare_with_area_of_use(path, orientation);
 }
 
 }  // namespace
@@ -149,6 +180,7 @@ std::string file_name_of(const OrientedImage& image) {
 
 Orientation read_orientation(const std::string& path, const OrientationOptions& options) {
   Orientation orientation = read_by_format(path, options);
+  leave_out_unnamed(orientation);
   check_images(path, orientation);
   check_cameras(path, orientation);
   settle_crs(path, options, orientation);

@@ -47,6 +47,15 @@ std::vector<XmlElement> XmlElement::children(std::string_view name) const {
   return found;
 }
 
+std::vector<XmlElement> XmlElement::children() const {
+  std::vector<XmlElement> found;
+  const CPLXMLNode* next = node_ == nullptr ? nullptr : node_->psChild;
+  for (; next != nullptr; next = next->psNext) {
+    if (next->eType == CXT_Element) found.emplace_back(path_, next);
+  }
+  return found;
+}
+
 std::string XmlElement::text() const { return text_under(node_); }
 
 std::string XmlElement::attribute(std::string_view name) const {

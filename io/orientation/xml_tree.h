@@ -24,6 +24,7 @@ class XmlElement {
   /// The first child with this name; "a/b" is a child of a child.
   [[nodiscard]] XmlElement child(std::string_view name) const;
   [[nodiscard]] std::vector<XmlElement> children(std::string_view name) const;
+  [[nodiscard]] std::vector<XmlElement> children() const;
   /// The text of the element, trimmed; empty if there is none.
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::string attribute(std::string_view name) const;  ///< empty if there is none

@@ -12,7 +12,8 @@ namespace ridgeline::io {
 /// covers everything that two frames show.
 struct BlockFile : ProjectFile {
   double patch_size_m = 100.0;  ///< side of the squares that the block is cut into
-  double overlap_m = 20.0;      ///< by which a patch extends beyond its square on all sides
+  double overlap_m = 20.0;      ///< by which a patch extends beyond its square on all sides; unless
+                                ///< stated, at most half of patch_size_m
 };
 
 /// Reads a block file (YAML or JSON). Its keys are those of a patch file whose images are given by

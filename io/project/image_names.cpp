@@ -2,34 +2,58 @@
 #include "io/project/image_names.h"
 
 #include "io/text/nearest_name.h"
+#include "io/text/text.h"
+#include "io/text/utf8.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
 namespace ridgeline::io {
 namespace {
 
-std::string last_part(const std::string& name) { return name.substr(name.find_last_of("/\\") + 1); }
-
-/// The last part of a name without its extension. An extension begins with a letter: "7.12" has
-/// none.
-std::string bare_name(const std::string& name) {
-  const std::string last = last_part(name);
-  const std::size_t dot = last.rfind('.');
-  const bool has_extension = dot != std::string::npos && dot > 0 && dot + 1 < last.size() &&
-                             std::isalpha(static_cast<unsigned char>(last[dot + 1])) != 0;
-  return has_extension ? last.substr(0, dot) : last;
+std::string with_slashes(const std::string& name) {
+  std::string path = as_utf8(name);
+  std::ranges::replace(path, '\\', '/');
+  return path;
 }
 
-/// The forms in which a name is looked up: the full name, its last part, and the last part without
-/// its extension.
-std::array<std::string, 3> forms_of(const std::string& name) {
-  return {name, last_part(name), bare_name(name)};
+std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+/// A name without its extension. An extension begins with a letter: "7.12" has none.
+std::string bare_name(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  const bool has_extension = dot != std::string::npos && dot > 0 && dot + 1 < name.size() &&
+                             std::isalpha(static_cast<unsigned char>(name[dot + 1])) != 0;
+  return has_extension ? name.substr(0, dot) : name;
+}
+
+/// The forms in which the last part of a path is looked up, in this order.
+std::array<std::string, 4> forms_of(const std::string& path) {
+  const std::string name = last_part(with_slashes(path));
+  return {name, lower_case(name), bare_name(name), lower_case(bare_name(name))};
+}
+
+/// The folders and the name of a path in lower case.
+std::vector<std::string> parts_of(const std::string& path) {
+  std::vector<std::string> parts;
+  std::istringstream rest(lower_case(with_slashes(path)));
+  for (std::string part; std::getline(rest, part, '/');) {
+    if (!part.empty() && part != ".") parts.push_back(part);
+  }
+  return parts;
+}
+
+/// The number of folders that two paths share at their ends.
+std::ptrdiff_t n_common_folders(const std::vector<std::string>& a,
+                                const std::vector<std::string>& b) {
+  if (a.empty() || b.empty()) return 0;
+  return std::mismatch(a.rbegin() + 1, a.rend(), b.rbegin() + 1, b.rend()).first - a.rbegin() - 1;
 }
 
 /// The names most similar to `name`, the most similar first.
@@ -49,47 +73,44 @@ std::vector<std::string_view> nearest_names(const std::vector<std::string>& name
 
 ImageNames::ImageNames(const Orientation& orientation) {
   for (const OrientedImage& image : orientation.images) {
-    const std::array<std::string, 3> forms = forms_of(image.name);
+    const std::array<std::string, 4> forms = forms_of(image.name);
     for (std::size_t i = 0; i < forms.size(); ++i) numbers_[i].emplace(forms[i], names_.size());
     names_.push_back(image.name);
+    parts_.push_back(parts_of(image.name));
   }
 }
 
-std::vector<std::size_t> ImageNames::meant(const std::string& name) const {
-  const std::array<std::string, 3> forms = forms_of(name);
-  std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < forms.size() && found.empty(); ++i) {
+std::optional<std::size_t> ImageNames::find(const std::string& path) const {
+  const Parts parts = parts_of(path);
+  const std::array<std::string, 4> forms = forms_of(path);
+  for (std::size_t i = 0; i < forms.size(); ++i) {
     const auto [first, end] = numbers_[i].equal_range(forms[i]);
-    for (auto entry = first; entry != end; ++entry) found.push_back(entry->second);
+    std::map<std::ptrdiff_t, std::vector<std::size_t>> by_folders;
+    for (auto entry = first; entry != end; ++entry) {
+      by_folders[n_common_folders(parts, parts_[entry->second])].push_back(entry->second);
+    }
+    if (by_folders.empty()) continue;
+    const std::vector<std::size_t>& nearest = by_folders.rbegin()->second;
+    if (nearest.size() == 1) return nearest.front();
+    const auto same = std::ranges::find(nearest, path, [&](std::size_t n) { return names_[n]; });
+    if (same != nearest.end()) return *same;
+    throw std::invalid_argument(fmt::format(
+        "has {} images that could be {}, such as {} and {}; select one with the key name",
+        nearest.size(), path, names_[nearest[0]], names_[nearest[1]]));
   }
-  return found;
+  return std::nullopt;
 }
 
-std::optional<std::size_t> ImageNames::find(const std::string& name) const {
-  const std::vector<std::size_t> found = meant(name);
-  if (found.empty()) return std::nullopt;
-  if (found.size() == 1) return found.front();
+std::size_t ImageNames::at(const std::string& path) const {
+  if (const auto found = find(path)) return *found;
   throw std::invalid_argument(
-      fmt::format("has {} images that could be {}, such as {} and {}; select one with the key name",
-                  found.size(), name, names_[found[0]], names_[found[1]]));
+      fmt::format("has no image {}{}", last_part(with_slashes(path)), similar_names(path)));
 }
 
-std::optional<std::size_t> ImageNames::find_file(const std::string& path) const {
-  std::size_t begin = path.rfind('/');
-  while (begin != std::string::npos) {
-    const std::vector<std::size_t> found = meant(path.substr(begin + 1));
-    if (found.empty()) return std::nullopt;
-    if (found.size() == 1) return found.front();
-    if (begin == 0) break;
-    begin = path.rfind('/', begin - 1);
-  }
-  return find(path);
-}
-
-std::size_t ImageNames::at(const std::string& name) const {
-  if (const auto found = find(name)) return *found;
-  throw std::invalid_argument(fmt::format("has no image {}; similar names: {}", name,
-                                          fmt::join(nearest_names(names_, name), ", ")));
+std::string ImageNames::similar_names(const std::string& path) const {
+  if (names_.empty()) return "";
+  return fmt::format("; similar names: {}",
+                     fmt::join(nearest_names(names_, last_part(with_slashes(path))), ", "));
 }
 
 }  // namespace ridgeline::io

@@ -17,26 +17,27 @@ class ImageNames {
  public:
   explicit ImageNames(const Orientation& orientation);
 
-  /// The index in Orientation::images of the image that `name` refers to, or std::nullopt if there
-  /// is none: the image with this name; otherwise the one with the same last part, ignoring
-  /// folders; otherwise the one with the same last part ignoring the extension, which many programs
-  /// leave out. Throws std::invalid_argument, naming candidates, if several images match.
-  [[nodiscard]] std::optional<std::size_t> find(const std::string& name) const;
-
-  /// The image that a file shows, found by the last part of its path; if several images match, by
-  /// as many of the preceding folders as needed. Returns std::nullopt and throws like find().
-  [[nodiscard]] std::optional<std::size_t> find_file(const std::string& path) const;
+  /// The index in Orientation::images of the image that a file name or path refers to, or
+  /// std::nullopt if there is none. The last part of the path decides first: images with the same
+  /// one, otherwise ignoring case, otherwise ignoring the extension, which many programs leave out,
+  /// otherwise ignoring both. Of several such images, it is the one that shares the most folders at
+  /// the end of the path. Slashes and backslashes are the same. Throws std::invalid_argument,
+  /// naming two images, if that is a tie.
+  [[nodiscard]] std::optional<std::size_t> find(const std::string& path) const;
 
   /// As find(), but throws std::invalid_argument, naming the most similar images, if there is none.
-  [[nodiscard]] std::size_t at(const std::string& name) const;
+  [[nodiscard]] std::size_t at(const std::string& path) const;
+
+  /// "; similar names: a.tif, b.tif", for messages.
+  [[nodiscard]] std::string similar_names(const std::string& path) const;
 
  private:
-  /// All images that a name may refer to.
-  [[nodiscard]] std::vector<std::size_t> meant(const std::string& name) const;
+  using Parts = std::vector<std::string>;
 
   std::vector<std::string> names_;
-  /// By full names, by their last parts, and by the last parts without extensions.
-  std::array<std::multimap<std::string, std::size_t>, 3> numbers_;
+  std::vector<Parts> parts_;  ///< lower case, one per image
+  /// By the last parts of names in the four forms of find().
+  std::array<std::multimap<std::string, std::size_t>, 4> numbers_;
 };
 
 }  // namespace ridgeline::io

@@ -64,9 +64,20 @@ bool ListedImage::takes_orientation() const {
 
 ImageToOrient ListedImage::to_orient() const {
   const std::filesystem::path file = (folder_ / map_.text("path")).lexically_normal();
-  return {.name = map_.has("name") ? map_.text("name") : file.filename().string(),
+  return {.name = map_.has("name") ? map_.text("name") : file.string(),
           .path = file.string(),
           .is_whole = !map_.has("window_px") || states_what_is_read()};
+}
+
+void ListedImage::require_whole_frame() const {
+  for (const char* const key :
+       {"projection_matrix", "interior", "exterior", "window_px", "radiometry"}) {
+    if (map_.has(key)) {
+      map_.fail(key, fmt::format("{} is only for patches; an image of a block has a path and "
+                                 "optionally a name and an id",
+                                 key));
+    }
+  }
 }
 
 PatchImage ListedImage::read(const PatchOrientation* orientation) const {

@@ -21,6 +21,9 @@ class ListedImage {
   [[nodiscard]] bool takes_orientation() const;
   [[nodiscard]] ImageToOrient to_orient() const;
 
+  /// Throws for a camera of its own, a window and radiometry, which a block decides.
+  void require_whole_frame() const;
+
   /// `orientation`: the orientation of the patch, or null.
   [[nodiscard]] PatchImage read(const PatchOrientation* orientation) const;
 

@@ -50,16 +50,22 @@ std::vector<std::string> with_path(const std::string& path, const std::vector<st
   return transformed(texts, [&](const std::string& text) { return path + ": " + text; });
 }
 
-/// Images with the same id, i.e. the same name in different folders, get the full name as id, with
-/// underscores for slashes.
-void tell_ids_apart(const std::vector<std::string>& names, std::vector<PatchImage>& images) {
-  std::map<std::string, int> n_of_id;
-  for (const PatchImage& image : images) ++n_of_id[image.id];
-  for (std::size_t i = 0; i < images.size(); ++i) {
-    if (n_of_id[images[i].id] == 1) continue;
-    images[i].id = names[i];
-    std::ranges::replace_if(
-        images[i].id, [](char c) { return c == '/' || c == '\\'; }, '_');
+/// Images with the same id, i.e. the same name in different folders, get as many of their files'
+/// folders in front of it as needed: "101MEDIA_DJI_0001".
+void tell_ids_apart(std::vector<PatchImage>& images) {
+  std::vector<fs::path> folders;
+  for (const PatchImage& image : images) folders.push_back(fs::path(image.path).parent_path());
+  for (;;) {
+    std::map<std::string, int> n_of_id;
+    for (const PatchImage& image : images) ++n_of_id[image.id];
+    bool any = false;
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      if (n_of_id[images[i].id] == 1 || folders[i].filename().empty()) continue;
+      images[i].id = folders[i].filename().string() + "_" + images[i].id;
+      folders[i] = folders[i].parent_path();
+      any = true;
+    }
+    if (!any) return;
   }
 }
 
@@ -129,10 +135,9 @@ PatchImage PatchOrientation::with_camera(std::size_t number,
 OrientedFiles PatchOrientation::images_of(const std::vector<std::string>& files) const {
   OrientedFiles found;
   std::vector<std::string> file_of_image(orientation_.images.size());
-  std::vector<std::string> names_shown;
   try {
     for (const std::string& file : files) {
-      const std::optional<std::size_t> number = names_->find_file(file);
+      const std::optional<std::size_t> number = names_->find(file);
       if (!number) {
         found.unknown.push_back(file);
         continue;
@@ -144,13 +149,17 @@ OrientedFiles PatchOrientation::images_of(const std::vector<std::string>& files)
                         orientation_.images[*number].name, other, file));
       }
       other = file;
-      names_shown.push_back(orientation_.images[*number].name);
       found.images.push_back(with_camera(*number, file, Eigen::Vector2d::Zero()));
+    }
+    if (found.images.empty() && !files.empty()) {
+      throw std::invalid_argument(fmt::format("has none of the {} image files, such as {}{}",
+                                              files.size(), files.front(),
+                                              names_->similar_names(files.front())));
     }
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("orientation {} {}", path_, error.what()));
   }
-  tell_ids_apart(names_shown, found.images);
+  tell_ids_apart(found.images);
   for (std::size_t i = 0; i < file_of_image.size(); ++i) {
     const OrientedImage& image = orientation_.images[i];
     if (file_of_image[i].empty() && image.camera)

@@ -49,8 +49,8 @@ class PatchOrientation {
                                     const Eigen::Vector2d& window_px) const;
 
   /// Assigns files that show whole frames to images by name. Throws std::invalid_argument, naming
-  /// the orientation, if a file matches several images or several files match one image, or if a
-  /// matched image has no camera.
+  /// the orientation, if no file matches an image, if a file matches several images or several
+  /// files match one image, or if a matched image has no camera.
   [[nodiscard]] OrientedFiles images_of(const std::vector<std::string>& files) const;
 
   [[nodiscard]] const Crs& crs() const { return orientation_.crs; }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/crs/area_of_use.h"
 #include "io/files/yaml_check.h"
 #include "io/orientation/colmap.h"
 #include "io/project/block_file.h"
@@ -13,8 +14,10 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -83,10 +86,11 @@ class PatchReader {
     read_project(find, block);
     block.reference_lines = optional_path("reference_lines");
     if (map_.has("patch_size_m")) block.patch_size_m = length_m("patch_size_m", 20.0, 10000.0);
-    if (map_.has("overlap_m")) block.overlap_m = length_m("overlap_m", 1.0, 1000.0);
+    block.overlap_m = map_.has("overlap_m") ? length_m("overlap_m", 1.0, 1000.0)
+                                            : std::min(block.overlap_m, 0.5 * block.patch_size_m);
     if (block.overlap_m > 0.5 * block.patch_size_m) {
       map_.fail(
-          map_.has("overlap_m") ? "overlap_m" : "patch_size_m",
+          "overlap_m",
           fmt::format(
               "overlap_m = {}, patch_size_m = {}; the overlap must be at most half the patch size",
               block.overlap_m, block.patch_size_m));
@@ -157,7 +161,7 @@ class PatchReader {
   }
 
   [[nodiscard]] static ImageToOrient whole_image(const std::string& file) {
-    return {.name = std::filesystem::path(file).filename().string(), .path = file};
+    return {.name = file, .path = file};
   }
 
   void read_heights(ProjectFile& project) const {
@@ -211,9 +215,6 @@ class PatchReader {
     if (map_.has("images") == map_.has("colmap")) {
       map_.fail("images", "exactly one of the keys images and colmap is required");
     }
-    if (is_block_ && map_.has("images") && !names_files(map_)) {
-      map_.fail("images", "the images of a block must be a folder or file patterns");
-    }
     const bool are_candidates =
         is_block_ || (!project.area_m.empty() && (map_.has("colmap") || names_files(map_)));
     if (map_.has("max_views") && !are_candidates) {
@@ -233,8 +234,10 @@ class PatchReader {
     }
     if (map_.has("colmap_images")) map_.fail("colmap_images", "colmap_images requires colmap");
     if (names_files(map_)) return read_image_files(project);
-    for (const ListedImage& image : listed_images())
+    for (const ListedImage& image : listed_images()) {
+      if (is_block_) image.require_whole_frame();
       project.images.push_back(image.read(orientation_ ? &*orientation_ : nullptr));
+    }
   }
 
   /// Reads the files of a folder or pattern, except those that the orientation does not contain.
@@ -279,30 +282,50 @@ class PatchReader {
     return images;
   }
 
-  /// Candidate images may share positions, as those of a multi-head camera do.
-  void check_images(const ProjectFile& project) const {
+  void check_images(ProjectFile& project) const {
     const char* key = map_.has("images") ? "images" : "colmap";
     const std::vector<PatchImage>& images = project.images;
     if (images.size() < 2) {
       map_.fail(key, fmt::format("{} images; at least two are required", images.size()));
     }
-    if (project.max_views) return;
+    std::set<std::string_view> ids;
+    for (const PatchImage& image : images) {
+      if (!ids.insert(image.id).second) {
+        map_.fail(key, fmt::format("two images have the id {}", image.id));
+      }
+    }
     const std::vector<Eigen::Vector3d> centres =
         transformed(images, [](const PatchImage& image) -> Eigen::Vector3d {
           return projection_centre(image.image_from_world).hnormalized();
         });
+    if (!orientation_) compare_with_area_of_use(centres, key, project);
+    if (!project.max_views) require_bases(images, centres, key);
+  }
+
+  /// The positions of an orientation are compared where it is read.
+  void compare_with_area_of_use(const std::vector<Eigen::Vector3d>& centres,
+                                const char* key,
+                                ProjectFile& project) const {
+    try {
+      const std::string warning = check_area_of_use(project.crs, centres);
+      if (!warning.empty()) project.warnings.push_back(path_ + ": " + warning);
+    } catch (const std::invalid_argument& error) {
+      map_.fail(key, error.what());
+    }
+  }
+
+  /// Candidate images may share positions, as those of a multi-head camera do; those of a patch may
+  /// not.
+  void require_bases(const std::vector<PatchImage>& images,
+                     const std::vector<Eigen::Vector3d>& centres,
+                     const char* key) const {
     for (std::size_t i = 0; i < images.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        if (images[i].id == images[j].id) {
-          map_.fail(key, fmt::format("two images have the id {}", images[i].id));
-        }
-        if (in_one_place(centres[i], centres[j])) {
-          map_.fail(
-              key,
-              fmt::format(
-                  "the cameras of {} and {} have the same position; a stereo pair needs a base",
-                  images[j].id, images[i].id));
-        }
+        if (!in_one_place(centres[i], centres[j])) continue;
+        map_.fail(key,
+                  fmt::format(
+                      "the cameras of {} and {} have the same position; a stereo pair needs a base",
+                      images[j].id, images[i].id));
       }
     }
   }

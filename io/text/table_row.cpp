@@ -5,25 +5,27 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 
 namespace ridgeline::io {
 namespace {
 
 struct Synonyms {
   const char* name;
-  std::array<std::string_view, 11> spellings;
+  std::array<std::string_view, 12> spellings;
 };
 
 constexpr std::array kColumns{
     Synonyms{"name",
-             {"filename", "name", "image", "imagename", "label", "photoid", "nom", "photo", "id"}},
+             {"filename", "name", "image", "imagename", "label", "photoid", "nom", "photo", "id",
+              "bildname", "bild"}},
     Synonyms{"x",
              {"x", "e", "easting", "east", "x0", "x/easting", "point_x", "x_coord", "rechtswert"}},
     Synonyms{"y",
              {"y", "n", "northing", "north", "y0", "y/northing", "point_y", "y_coord", "hochwert"}},
     Synonyms{"z",
              {"z", "h", "height", "altitude", "elevation", "z0", "alt", "z/altitude", "point_z",
-              "z_coord", "h\xc3\xb6he"}},
+              "z_coord", "h\xc3\xb6he", "h\xc3\x96he"}},
     Synonyms{"omega", {"omega", "o", "w", "om"}},
     Synonyms{"phi", {"phi", "p", "ph"}},
     Synonyms{"kappa", {"kappa", "k", "kap", "ka"}},
@@ -44,13 +46,45 @@ std::string_view without_unit(std::string_view name) {
   return name;
 }
 
+/// Whether a word is a number whose decimal mark is a comma.
+bool has_decimal_comma(std::string_view word) {
+  const std::size_t comma = word.find(',');
+  return comma != std::string_view::npos && comma + 1 < word.size() && table_number(word);
+}
+
 }  // namespace
 
+std::optional<double> table_number(std::string_view field) {
+  constexpr std::size_t kMaxLength = 64;
+  if (field.starts_with('+')) field.remove_prefix(1);  // from_chars takes no plus sign
+  std::array<char, kMaxLength> with_point{};
+  if (const std::size_t comma = field.find(','); comma != std::string_view::npos) {
+    if (field.size() > kMaxLength ||
+        field.find_first_of(",.", comma + 1) != std::string_view::npos ||
+        field.find('.') != std::string_view::npos) {
+      return std::nullopt;
+    }
+    std::ranges::copy(field, with_point.begin());
+    with_point[comma] = '.';
+    field = {with_point.data(), field.size()};
+  }
+  double value = 0.0;
+  const char* const last = field.data() + field.size();
+  const auto [end, error] = std::from_chars(field.data(), last, value);
+  if (field.empty() || error != std::errc{} || end != last) return std::nullopt;
+  return value;
+}
+
 char separator_of(std::string_view row) {
-  for (const char separator : {';', '\t', ','}) {
+  for (const char separator : {';', '\t'}) {
     if (row.find(separator) != std::string_view::npos) return separator;
   }
-  return ' ';
+  if (row.find(',') == std::string_view::npos) return ' ';
+  return std::ranges::count_if(words_of(row), has_decimal_comma) >= 3 ? ' ' : ',';
+}
+
+bool is_comment_row(std::string_view row) {
+  return row.starts_with('#') || row.starts_with("//") || row.starts_with("sep=");
 }
 
 std::vector<std::string> table_fields(std::string_view row, char separator) {

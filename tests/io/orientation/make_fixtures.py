@@ -205,13 +205,15 @@ AXES = {"XRightYDown": ((1, 0), (0, 1)), "XRightYUp": ((1, 0), (0, -1)), "XLeftY
         "XDownYRight": ((0, 1), (1, 0)), "XDownYLeft": ((0, 1), (-1, 0)), "XUpYRight": ((0, -1), (1, 0)), "XUpYLeft": ((0, -1), (-1, 0))}
 
 
-def write_blocks_exchange(out, name, orientation, srs, centre_of, with_angles=False):
+def write_blocks_exchange(out, name, orientation, srs, centre_of, with_angles=False, world_axes=None):
     (xr, xd), (yr, yd) = AXES[orientation]
     axes = [[xr, yr, 0], [-xd, -yd, 0], [0, 0, 0]]  # columns: in axes right, up, backwards
     axes[2][2] = xr * -yd - yr * -xd
     photos = ""
     for i, (image, (angles, centre)) in enumerate(zip(NAMES, POSES)):
         m = transposed(mul(world_from_camera(angles), axes))
+        if world_axes:
+            m = mul(m, transposed(world_axes))
         if with_angles:
             rotation = f"<Omega>{angles[0]}</Omega><Phi>{angles[1]}</Phi><Kappa>{angles[2]}</Kappa>"
         else:
@@ -321,6 +323,8 @@ def main():
         write_blocks_exchange(out, f"blocks_exchange_{orientation}.xml", orientation, "EPSG:25832", on_map)
     write_blocks_exchange(out, "blocks_exchange_angles.xml", "XRightYUp", "EPSG:25832", on_map, True)
     write_blocks_exchange(out, "blocks_exchange_enu.xml", "XRightYDown", f"ENU:{LAT},{LON}", lambda x: x)
+    write_blocks_exchange(out, "blocks_exchange_geocentric.xml", "XRightYDown", "EPSG:4978", geocentric,
+                          world_axes=enu_axes())
     write_metashape(out, "metashape_local.xml", False)
     write_metashape(out, "metashape_utm.xml", True)
     write_opensfm(out)

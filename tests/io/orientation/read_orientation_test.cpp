@@ -88,15 +88,22 @@ TEST(ReadBlocksExchange, SeesTheFixtureByAllCameraAxes) {
               6.0);  // median depths of 100 m below images at 100 m, tilted
 }
 
-TEST(ReadBlocksExchange, ConvertsTopocentricPosesToTheMap) {
+TEST(ReadBlocksExchange, ConvertsTopocentricAndGeocentricPosesToTheMap) {
   expect_fixture("blocks_exchange_enu.xml", {}, "observations_utm.csv", kOnMap_px);
+  expect_fixture("blocks_exchange_geocentric.xml", {}, "observations_utm.csv", kOnMap_px);
+  constexpr double kGround_m = 1e-3;  // digits of the file
+  EXPECT_NEAR(
+      read_orientation(fixture::path_of("blocks_exchange_geocentric.xml")).ground_height_m.value(),
+      read_orientation(fixture::path_of("blocks_exchange_enu.xml")).ground_height_m.value(),
+      kGround_m);
 }
 
 TEST(ReadMetashape, SeesTheFixtureInLocalAndGeocentricChunks) {
   expect_fixture("metashape_local.xml");
   expect_fixture("metashape_utm.xml", {}, "observations_utm.csv", kOnMap_px);
   EXPECT_THAT(read_orientation(fixture::path_of("metashape_local.xml")).warnings,
-              ElementsAre(HasSubstr("ignored: 1"), HasSubstr("local coordinates")));
+              ElementsAre("images without a pose, left out: 1 (not aligned.tif)",
+                          HasSubstr("local coordinates")));
 }
 
 /// The fixture of Inpho has no distortion, as its sign is not stated; the observations have.
@@ -182,9 +189,9 @@ TEST(ReadOpkTable, KnowsTheHeadersOfOtherWriters) {
 
 TEST(ReadOpkTable, TakesTheSystemOfAComment) {
   const TempFolder folder;
-  const std::string file = folder.write(
-      "a.txt",
-      "# CoordinateSystem: EPSG:25832\n#Label X Y Z Omega[deg] Phi Kappa\na 1 2 3 4 5 6\n");
+  const std::string file = folder.write("a.txt",
+                                        "# CoordinateSystem: EPSG:25832\n#Label X Y Z Omega[deg] "
+                                        "Phi Kappa\na 513000 5403000 3 4 5 6\n");
   EXPECT_EQ(read_orientation(file).crs.definition, "EPSG:25832");
 }
 
@@ -279,8 +286,8 @@ TEST(ReadOrientation, RefusesTwoImagesOfOneName) {
   for (const auto& [file, name] : files) {
     const std::string twice =
         replaced(text_of_fixture(file), name, std::string("a b_1.tif") + name.back());
-    EXPECT_THAT(error_of_text(file, twice), ::testing::AnyOf(HasSubstr("two images are called"),
-                                                             HasSubstr("a b_1.tif\" twice")))
+    EXPECT_THAT(error_of_text(file, twice),
+                ::testing::AnyOf(HasSubstr("two images are named"), HasSubstr("a b_1.tif\" twice")))
         << file;
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Patches whose images take camera and pose from an orientation.
+#include "io/project/block_file.h"
 #include "io/project/image_names.h"
 #include "io/project/patch.h"
 #include "tests/support/paths.h"
@@ -281,9 +282,59 @@ TEST_F(PatchOfOrientation, TellsImagesOfOneNameInTwoFoldersApart) {
     (void)folder_.write(std::string("frames/") + name, "x");
   const PatchFile patch = read("  frames/*/*.tif\n");
   ASSERT_THAT(patch.images, SizeIs(2));
-  EXPECT_EQ(patch.images[0].id, "a_1.tif");
-  EXPECT_EQ(patch.images[1].id, "b_1.tif");
+  EXPECT_EQ(patch.images[0].id, "a_1");
+  EXPECT_EQ(patch.images[1].id, "b_1");
   EXPECT_EQ(patch.images[1].path, folder_.file("frames/b/1.tif"));
+}
+
+TEST_F(PatchOfOrientation, NamesAFileIfThePatternMatchesNoImage) {
+  for (const char* name : {"lefty.tif", "righty.tif"})
+    (void)folder_.write(std::string("frames/") + name, "x");
+  EXPECT_THAT(refusal_of("  frames\n"),
+              HasSubstr("has none of the 2 image files, such as " +
+                        folder_.file("frames/lefty.tif") + "; similar names: left, right, third"));
+}
+
+TEST_F(PatchOfOrientation, OfABlockMayListImagesWithTheirNames) {
+  const auto write_block = [&](const std::string& images) {
+    return folder_.write("block.yaml",
+                         "block: b\nheight_range: [250, 300]\norientation: block/opk.csv\n"
+                         "cameras: block/cameras.yaml\nimages:\n" +
+                             images);
+  };
+  const BlockFile block = read_block_file(
+      write_block("  - {path: a/1.tif, name: left, id: l}\n  - {path: b/1.tif, name: right}\n"));
+  ASSERT_THAT(block.images, SizeIs(2));
+  EXPECT_EQ(block.images[0].id, "l");
+  EXPECT_EQ(block.images[1].exterior->position_m.x(), 513300.0);
+  const std::string cut = write_block("  - {path: left.tif, window_px: [1, 2]}\n");
+  EXPECT_THAT(io_error_of([&] { read_block_file(cut); }),
+              HasSubstr("line 6: window_px is only for patches"));
+  const std::string twice =
+      write_block("  - {path: a/1.tif, name: left}\n  - {path: b/1.tif, name: right}\n");
+  EXPECT_THAT(io_error_of([&] { read_block_file(twice); }), HasSubstr("two images have the id 1"));
+}
+
+class ReportedNames : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(folder_)) GTEST_SKIP() << folder_ << " is not there";
+  }
+
+  std::string folder_ = test::shared_data_dir() + "/reported_2";
+};
+
+TEST_F(ReportedNames, MayDifferInCase) {
+  const PatchFile patch = read_patch(folder_ + "/16-names-that-match-no-file/patch.yaml");
+  ASSERT_THAT(patch.images, SizeIs(2));
+  EXPECT_EQ(patch.images[1].exterior->position_m.x(), 513000.0);
+}
+
+TEST_F(ReportedNames, OfFilesInFoldersAreToldApartByThem) {
+  const BlockFile block = read_block_file(folder_ + "/17-same-name-in-subfolders/block.yaml");
+  ASSERT_THAT(block.images, SizeIs(4));
+  EXPECT_EQ(block.images[2].id, "101MEDIA_DJI_0001");
+  EXPECT_EQ(block.images[2].exterior->position_m.x(), 513320.0);
 }
 
 /// The heads of one camera take their images in one place.
@@ -319,11 +370,27 @@ TEST(ImageNames, TakesNamesWithAndWithoutFolderAndExtension) {
 
 TEST(ImageNames, TellsFilesOfOneNameApartByTheirFolders) {
   const ImageNames names(images_called({"strip1/7.tif", "strip2/7.tif", "8.tif"}));
-  EXPECT_EQ(names.find_file("/data/strip2/7.tif"), 1U);
-  EXPECT_EQ(names.find_file("strip1/7.tif"), 0U);
-  EXPECT_EQ(names.find_file("/data/strip9/8.jpg"), 2U);
-  EXPECT_EQ(names.find_file("/data/strip1/9.tif"), std::nullopt);
-  EXPECT_THROW((void)names.find_file("/data/strip3/7.tif"), std::invalid_argument);
+  EXPECT_EQ(names.find("/data/strip2/7.tif"), 1U);
+  EXPECT_EQ(names.find("strip1/7.tif"), 0U);
+  EXPECT_EQ(names.find("/data/strip9/8.jpg"), 2U);
+  EXPECT_EQ(names.find("/data/strip1/9.tif"), std::nullopt);
+  EXPECT_THROW((void)names.find("/data/strip3/7.tif"), std::invalid_argument);
+}
+
+TEST(ImageNames, TakesTheLongestCommonEndOfThePaths) {
+  const ImageNames names(images_called({"D:\\Flug 2026\\100MEDIA\\DJI_0001.TIF",
+                                        "D:\\Flug 2026\\101MEDIA\\DJI_0001.TIF", "DJI_0002.TIF"}));
+  EXPECT_EQ(names.find("/data/101media/dji_0001.tif"), 1U);
+  EXPECT_EQ(names.find("/data/flug 2026/100MEDIA/DJI_0001.jpg"), 0U);
+  EXPECT_EQ(names.find("/data/102MEDIA/dji_0002.tif"), 2U);
+}
+
+TEST(ImageNames, PrefersTheSameCaseAndReadsLatin1) {
+  const ImageNames names(images_called({"a.TIF", "a.tif", "H\xc3\xb6he.tif"}));
+  EXPECT_EQ(names.find("/data/a.tif"), 1U);
+  EXPECT_EQ(names.find("/data/a.TIF"), 0U);
+  EXPECT_EQ(names.find("/data/H\xf6he.tif"), 2U);
+  EXPECT_THROW((void)names.find("/data/A.Tif"), std::invalid_argument);
 }
 
 TEST(ImageNames, RefusesNamesThatSeveralImagesOrNoneHave) {

@@ -23,12 +23,26 @@ TEST(SeparatorOf, PrefersSemicolonsAndTabs) {
   EXPECT_EQ(separator_of("a b"), ' ');
 }
 
+TEST(SeparatorOf, IsABlankBetweenNumbersWithDecimalCommas) {
+  EXPECT_EQ(separator_of("a 1,5 2,5 -3,25"), ' ');
+  EXPECT_EQ(separator_of("a, 1, 2, 3"), ',');
+  EXPECT_EQ(separator_of("a b,1.5,2.5,3.5"), ',');
+}
+
+TEST(TableNumber, TakesACommaWhereItCanOnlyBeADecimalMark) {
+  EXPECT_EQ(table_number("1,5"), 1.5);
+  EXPECT_EQ(table_number("1,500.0"), std::nullopt);
+  EXPECT_EQ(table_number("1,500,000"), std::nullopt);
+}
+
 TEST(ColumnName, KnowsUnitsAndOtherNames) {
   EXPECT_EQ(column_name("X [m]"), "x");
   EXPECT_EQ(column_name("Easting"), "x");
   EXPECT_EQ(column_name("omega_deg"), "omega");
   EXPECT_EQ(column_name("Kappa (gon)"), "kappa");
   EXPECT_EQ(column_name("NOM"), "name");
+  EXPECT_EQ(column_name("Bildname"), "name");
+  EXPECT_EQ(column_name("H\xc3\x96HE"), "z");
   EXPECT_EQ(column_name("Flight"), "flight");
 }
 
