@@ -111,7 +111,7 @@ std::string check_area_of_use(const Crs& crs, const std::vector<Eigen::Vector3d>
   const std::string extent =
       std::isfinite(outside_km) ? fmt::format("{:.0f} km", outside_km) : std::string("far");
   const std::string text = fmt::format(
-      "positions such as x = {:.0f}, y = {:.0f} are {} outside the area of use of {}; give the "
+      "positions around x = {:.0f}, y = {:.0f} are {} outside the area of use of {}; give the "
       "system of the positions, or the positions with their offset",
       x.x(), x.y(), extent, parts.name);
   if (outside_km > kMaxOutside_km) throw std::invalid_argument(text);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <stdexcept>
 #include <string>
 
 namespace ridgeline::io {
@@ -92,8 +93,12 @@ CrsFacts describe(const Crs& crs) {
 bool states_geocentric(const Crs& crs) {
   if (!crs.known()) return false;
   const proj::Context context = proj::make_context();
-  const proj::Object whole(proj_create(context.get(), crs.definition.c_str()));
-  return whole && proj_get_type(whole.get()) == PJ_TYPE_GEOCENTRIC_CRS;
+  try {
+    const proj::Object whole = proj::create_crs(context.get(), crs);
+    return proj_get_type(whole.get()) == PJ_TYPE_GEOCENTRIC_CRS;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
 }
 
 std::string to_wkt(const Crs& crs) {

@@ -92,24 +92,27 @@ bool has_other_type(const YAML::Node& node) {
 
 }  // namespace
 
-std::vector<Camera> read_cameras(const std::string& path) {
+CameraFile read_cameras(const std::string& path, const std::vector<std::string>& names) {
   const YAML::Node root = parse_yaml(read_orientation_text(path), path);
   if (!root.IsMap() || root.size() == 0) {
     throw IoError(path,
                   "is not a camera file; a mapping from camera names to their keys is expected");
   }
-  std::vector<Camera> cameras;
+  CameraFile file{.cameras = {}, .is_only_one = root.size() == 1};
   for (const auto& entry : root) {
     const YAML::Node& node = entry.second;
+    const bool is_in_use = file.is_only_one || names.empty() ||
+                           std::ranges::find(names, entry.first.Scalar()) != names.end();
+    if (!is_in_use) continue;
     if (has_other_type(node)) {
       fail_yaml(path, node,
                 "camera type " + node["type"].Scalar() + "; supported are pinhole and brown");
     }
     const bool is_metric = node.IsMap() && node["focal_length_mm"];
-    cameras.push_back(
+    file.cameras.push_back(
         {entry.first.Scalar(), is_metric ? metric_camera(path, node) : scaled_camera(path, node)});
   }
-  return cameras;
+  return file;
 }
 
 double largest_radius(const InteriorOrientation& interior) {

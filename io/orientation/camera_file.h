@@ -8,12 +8,19 @@
 
 namespace ridgeline::io {
 
+struct CameraFile {
+  std::vector<Camera> cameras;
+  bool is_only_one = false;  ///< whether the file has a single camera, which all images use
+};
+
 /// The cameras of a YAML file, by name. Each has either the keys of a patch file (`focal_length_mm,
 /// pixel_size_um, size_px`, optionally `principal_point_mm` and `k1, k2, k3, p1, p2`) or those of
 /// Orthority and OpenDroneMap (`type, im_size, focal_len`, optionally `sensor_size`, `cx`, `cy` in
 /// units of the longer side, and Brown's coefficients). Throws IoError with the line for unknown
 /// keys, invalid values, and types other than pinhole and brown, such as fisheye, naming the type.
-std::vector<Camera> read_cameras(const std::string& path);
+/// `names`: the cameras that images use. Of several cameras, the others are not read; if `names` is
+/// empty, all are.
+CameraFile read_cameras(const std::string& path, const std::vector<std::string>& names = {});
 
 /// Distortion coefficients that only some programs have are ignored if they move every pixel of the
 /// frame by less than this.

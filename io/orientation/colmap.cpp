@@ -315,6 +315,15 @@ std::vector<ColmapImage> read_colmap(const std::string& folder) {
   return images;
 }
 
+std::vector<std::string> colmap_files(const std::string& folder) {
+  std::vector<std::string> files;
+  for (const char* const name : {"cameras.bin", "cameras.txt", "images.bin", "images.txt"}) {
+    const std::filesystem::path file = std::filesystem::path(folder) / name;
+    if (std::filesystem::exists(file)) files.push_back(file.string());
+  }
+  return files;
+}
+
 Orientation read_colmap_orientation(const std::string& folder, const OrientationOptions&) {
   Orientation orientation;
   orientation.format = "COLMAP model";

@@ -25,4 +25,7 @@ struct ColmapImage {
 /// camera.
 std::vector<ColmapImage> read_colmap(const std::string& folder);
 
+/// The files of a COLMAP model that read_colmap() may read.
+std::vector<std::string> colmap_files(const std::string& folder);
+
 }  // namespace ridgeline::io

@@ -115,9 +115,10 @@ class ChunkReader {
 
  private:
   [[nodiscard]] XmlElement only_chunk() const {
-    const std::vector<XmlElement> chunks = document_.root("document").children("chunk");
+    std::vector<XmlElement> chunks = document_.root("document").children("chunk");
+    if (chunks.size() > 1) std::erase_if(chunks, is_disabled);
     if (chunks.size() != 1) {
-      throw IoError(path_, fmt::format("has {} chunks; must have one", chunks.size()));
+      throw IoError(path_, fmt::format("has {} enabled chunks; must have one", chunks.size()));
     }
     return chunks.front();
   }
@@ -163,8 +164,8 @@ class ChunkReader {
     add_image(camera, *similarity);
   }
 
-  static bool is_disabled(const XmlElement& camera) {
-    const std::string enabled = lower_case(camera.attribute("enabled"));
+  static bool is_disabled(const XmlElement& element) {
+    const std::string enabled = lower_case(element.attribute("enabled"));
     return enabled == "false" || enabled == "0";
   }
 

@@ -87,11 +87,10 @@ class OpensfmReader {
  private:
   [[nodiscard]] const Json& largest_of(const Json& file) const {
     if (!file.is_array() || file.empty()) fail("is not a list of reconstructions");
-    const Json* largest = &file[0];
-    for (const Json& one : file) {
-      if (member(one, "shots").size() > member(*largest, "shots").size()) largest = &one;
-    }
-    return *largest;
+    const auto n_shots = [](const Json& one) {
+      return one.is_object() && one.contains("shots") ? one["shots"].size() : 0;
+    };
+    return *std::ranges::max_element(file, {}, n_shots);
   }
 
   [[nodiscard]] const Json& member(const Json& parent, const char* name) const {
@@ -234,7 +233,7 @@ class OpensfmReader {
   void place_on_map(Orientation& orientation) const {
     std::string text;
     for (const char* const name : {"coords.txt", "../odm_georeferencing/coords.txt"}) {
-      if (text.empty()) text = text_beside(path_, name);
+      if (text.empty()) text = text_beside(path_, name, orientation);
     }
     const std::vector<TextRow> rows = rows_of(text);
     if (rows.size() < 2) {
@@ -263,7 +262,7 @@ class OpensfmReader {
   void place_on_earth(const Json& reconstruction, Orientation& orientation) const {
     Json reference = reconstruction.value("reference_lla", Json());
     if (!reference.is_object()) {
-      const std::string text = text_beside(path_, "reference_lla.json");
+      const std::string text = text_beside(path_, "reference_lla.json", orientation);
       reference = Json::parse(text, nullptr, false);
     }
     if (!reference.is_object()) {

@@ -220,7 +220,7 @@ Orientation read_opk_table(const std::string& path, const OrientationOptions& op
   const std::filesystem::path beside = std::filesystem::path(path).replace_extension(".prj");
   const std::string& stated = table.head().crs;
   orientation.crs.definition =
-      stated.empty() ? text_beside(path, beside.filename().string()) : stated;
+      stated.empty() ? text_beside(path, beside.filename().string(), orientation) : stated;
   add_stated_cameras(path, options, table.cameras(), orientation);
   std::vector<RotationReading> readings = readings_of(table, options, orientation);
   if (readings.empty()) {

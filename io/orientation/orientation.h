@@ -33,6 +33,7 @@ struct Orientation {
   std::vector<Camera> cameras;
   std::vector<OrientedImage> images;
   Crs crs;
+  std::vector<std::string> files_beside;  ///< other files that were read with the orientation
   std::optional<double> ground_height_m;  ///< mean height of the ground, if the file states it
   std::vector<std::string>
       decisions;  ///< ambiguities of the file and how they were resolved, as sentences

@@ -39,12 +39,13 @@ std::string read_orientation_text(const std::string& path, std::uint64_t most_by
   return is_utf8(text) ? text : as_utf8(text);
 }
 
-std::string text_beside(const std::string& path, std::string_view name) {
-  const fs::path file = fs::path(path).parent_path() / name;
+std::string text_beside(const std::string& path, std::string_view name, Orientation& orientation) {
+  const fs::path file = (fs::path(path).parent_path() / name).lexically_normal();
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored) || fs::file_size(file, ignored) == 0) return "";
   std::string text = read_orientation_text(file.string());
   text.erase(text.find_last_not_of(" \t\r\n") + 1);
+  orientation.files_beside.push_back(file.string());
   return text;
 }
 

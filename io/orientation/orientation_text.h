@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "io/orientation/orientation.h"
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -18,7 +20,7 @@ std::string read_orientation_text(const std::string& path,
                                   std::uint64_t most_bytes = kMaxOrientation_bytes);
 
 /// The text of the file `name` in the same folder as `path`, without trailing whitespace; empty if
-/// there is no such file.
-std::string text_beside(const std::string& path, std::string_view name);
+/// there is no such file. Records the file in orientation.files_beside.
+std::string text_beside(const std::string& path, std::string_view name, Orientation& orientation);
 
 }  // namespace ridgeline::io

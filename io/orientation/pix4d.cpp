@@ -35,7 +35,7 @@ class Pix4dReader {
       }
       add_image(row, offset_m, orientation);
     }
-    orientation.crs.definition = text_beside(path_, name_beside("wkt.prj"));
+    orientation.crs.definition = text_beside(path_, name_beside("wkt.prj"), orientation);
     return orientation;
   }
 
@@ -130,7 +130,7 @@ class Pix4dReader {
   }
 
   [[nodiscard]] Eigen::Vector3d offset(Orientation& orientation) const {
-    const std::string text = text_beside(path_, name_beside("offset.xyz"));
+    const std::string text = text_beside(path_, name_beside("offset.xyz"), orientation);
     if (text.empty()) {
       orientation.warnings.push_back(
           fmt::format("has no {} next to it, so its positions are read without an offset",

@@ -135,6 +135,18 @@ void leave_out_unknown_crs(Orientation& orientation) {
   }
 }
 
+/// Refuses heights above which no image is taken. Geocentric positions have such heights.
+void require_heights_of_flights(const std::string& path, const Orientation& orientation) {
+  constexpr double kMaxHeight_m = 50'000.0;
+  for (const OrientedImage& image : orientation.images) {
+    const double height_m = image.exterior.position_m.z();
+    if (std::abs(height_m) <= kMaxHeight_m) continue;
+    throw IoError(path, fmt::format("the height of image {} is {:.0f} m; positions must be on a "
+                                    "map, or the file must state a geocentric reference system",
+                                    image.name, height_m));
+  }
+}
+
 /// Refuses positions far from where their system is used.
 void compare_with_area_of_use(const std::string& path, Orientation& orientation) {
   try {
@@ -156,6 +168,7 @@ void settle_crs(const std::string& path,
   if (states_geocentric(orientation.crs)) {
     return convert_to_map(path, Eigen::Isometry3d::Identity(), options.crs, orientation);
   }
+  require_heights_of_flights(path, orientation);
   leave_out_unknown_crs(orientation);
   if (!orientation.crs.known()) orientation.crs = options.crs;
   if (!orientation.crs.known()) return;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace ridgeline::io {
 
@@ -15,16 +16,16 @@ void add_stated_cameras(const std::string& path,
                         const std::vector<std::string>& names,
                         Orientation& orientation) {
   if (options.cameras.empty()) return;
-  orientation.cameras = read_cameras(options.cameras);
+  CameraFile file = read_cameras(options.cameras, names);
+  orientation.cameras = std::move(file.cameras);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto camera = std::ranges::find(orientation.cameras, names[i], &Camera::name);
-    const bool is_only_one = orientation.cameras.size() == 1;
-    if (camera == orientation.cameras.end() && !is_only_one) {
+    if (camera == orientation.cameras.end() && !file.is_only_one) {
       throw IoError(path, fmt::format("image {} has camera '{}', which is missing in {}",
                                       orientation.images[i].name, names[i], options.cameras));
     }
     orientation.images[i].camera =
-        is_only_one ? 0 : static_cast<std::size_t>(camera - orientation.cameras.begin());
+        file.is_only_one ? 0 : static_cast<std::size_t>(camera - orientation.cameras.begin());
   }
 }
 

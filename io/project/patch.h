@@ -75,7 +75,7 @@ struct Project {
   std::optional<std::string> reference_lines;
   std::optional<std::string> surface_model;    ///< raster of heights
   std::optional<std::string> area_file;        ///< file of polygons that defines the area
-  std::vector<std::string> orientation_files;  ///< files read because of the key `orientation`
+  std::vector<std::string> orientation_files;  ///< files read for the key `orientation` or `colmap`
   std::vector<std::string> decisions;          ///< ambiguities and how they were resolved
   std::vector<std::string> warnings;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/project/patch_orientation.h"
 
+#include "io/orientation/colmap.h"
 #include "io/orientation/option_words.h"
 #include "io/project/oriented_patch_image.h"
 #include "reconstruct/geometry/transformed.h"
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -169,15 +171,9 @@ OrientedFiles PatchOrientation::images_of(const std::vector<std::string>& files)
 }
 
 std::vector<std::string> PatchOrientation::files() const {
-  std::vector<std::string> files;
-  if (fs::is_directory(path_)) {
-    for (const char* name : {"cameras.bin", "cameras.txt", "images.bin", "images.txt"}) {
-      if (const fs::path file = fs::path(path_) / name; fs::exists(file))
-        files.push_back(file.string());
-    }
-  } else {
-    files.push_back(path_);
-  }
+  std::vector<std::string> files =
+      fs::is_directory(path_) ? colmap_files(path_) : std::vector{path_};
+  std::ranges::copy(orientation_.files_beside, std::back_inserter(files));
   if (!cameras_.empty()) files.push_back(cameras_);
   return files;
 }

@@ -54,8 +54,8 @@ class PatchOrientation {
   [[nodiscard]] OrientedFiles images_of(const std::vector<std::string>& files) const;
 
   [[nodiscard]] const Crs& crs() const { return orientation_.crs; }
-  /// The files of the orientation and the camera file; for a COLMAP model, its files of cameras and
-  /// images.
+  /// The files of the orientation, those read with it, and the camera file; for a COLMAP model, its
+  /// files of cameras and images.
   [[nodiscard]] std::vector<std::string> files() const;
   /// Decisions and warnings, each prefixed with the orientation's path.
   [[nodiscard]] std::vector<std::string> decisions() const;

@@ -230,6 +230,7 @@ class PatchReader {
     if (are_candidates && !project.max_views) project.max_views = kDefaultMaxViews;
     if (map_.has("colmap")) {
       project.images = colmap_images();
+      project.orientation_files = colmap_files(resolved(map_.text("colmap")));
       return;
     }
     if (map_.has("colmap_images")) map_.fail("colmap_images", "colmap_images requires colmap");

@@ -29,7 +29,7 @@ TEST(CheckAreaOfUse, IsSilentInside) {
 
 TEST(CheckAreaOfUse, WarnsUpTo300KmOutside) {
   EXPECT_THAT(warning_at("EPSG:32632", -320.0, -200.0),
-              HasSubstr("x = -320, y = -200 are 166 km outside the area of use"));
+              HasSubstr("around x = -320, y = -200 are 166 km outside the area of use"));
   EXPECT_THAT(warning_at(kWktOfPix4d, -320.0, -200.0), HasSubstr("166 km outside"));
 }
 

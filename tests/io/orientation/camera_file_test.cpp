@@ -14,7 +14,7 @@ constexpr double kRounding_px = 1e-9;
 
 std::vector<Camera> cameras_of(const std::string& text) {
   const TempFolder folder;
-  return read_cameras(folder.write("cameras.yaml", text));
+  return read_cameras(folder.write("cameras.yaml", text)).cameras;
 }
 
 std::string error_of(const std::string& text) {

@@ -59,6 +59,21 @@ TEST(ReadOrientation, NeedsNoCameraWithoutImages) {
                         "$CAMERA_DEFINITION\n  $ID : idle\n$END\n$CAMERA_DEFINITION")
                   .cameras,
               SizeIs(1));
+  const TempFolder folder;
+  OrientationOptions options;
+  options.cameras =
+      folder.write("cameras.yaml", fixture_text("cameras.yaml") + "idle: {type: fisheye, k4: 1}\n");
+  EXPECT_THAT(read_orientation(fixture::path_of("opk_deg.csv"), options).cameras, SizeIs(1));
+  options.cameras = folder.write("others.yaml", "a: {type: fisheye}\nb: {type: fisheye}\n");
+  EXPECT_THAT(io_error_of([&] { read_orientation(fixture::path_of("opk_deg.csv"), options); }),
+              HasSubstr("has camera 'cam 1', which is missing in"));
+}
+
+TEST(ReadMetashape, LeavesOutDisabledChunks) {
+  EXPECT_THAT(read_with("metashape_local.xml", "<document version=\"2.0.0\">",
+                        "<document><chunk enabled=\"false\"></chunk>")
+                  .images,
+              SizeIs(4));
 }
 
 TEST(ReadOrientation, NamesElementsThatChangeWhatAPixelMeans) {
@@ -152,7 +167,9 @@ TEST(ReadOrientation, RefusesPositionsFarOutsideTheirSystem) {
     const std::string table = std::string("name,x,y,z,omega_deg,phi_deg,kappa_deg\n") + rows;
     return io_error_of([&] { read_orientation(folder.write("a.csv", table), options); });
   };
-  EXPECT_THAT(error_of("EPSG:32632", "a,4157665,671679,4775252,0,0,0\n"),
+  EXPECT_THAT(error_of("", "a,4157665,671679,4775252,0,0,0\n"),
+              HasSubstr("the height of image a is 4775252 m"));
+  EXPECT_THAT(error_of("EPSG:32632", "a,4157665,671679,1050,0,0,0\n"),
               HasSubstr("outside the area of use of WGS 84 / UTM zone 32N"));
   EXPECT_THAT(error_of("EPSG:32632", "a,513000,5403000,1050,0,0,0\n"), IsEmpty());
 }

@@ -73,7 +73,12 @@ TEST(ReadOpensfm, SeesTheFixtureOnTheMap) {
               ElementsAre(HasSubstr("WGS 84 / UTM zone 32N")));
 }
 
-TEST(ReadPix4d, SeesTheFixture) { expect_fixture("block_calibrated_camera_parameters.txt"); }
+TEST(ReadPix4d, SeesTheFixture) {
+  expect_fixture("block_calibrated_camera_parameters.txt");
+  EXPECT_THAT(
+      read_orientation(fixture::path_of("block_calibrated_camera_parameters.txt")).files_beside,
+      ElementsAre(fixture::path_of("block_offset.xyz")));
+}
 
 TEST(ReadBlocksExchange, SeesTheFixtureByAllCameraAxes) {
   for (const char* axes : {"XRightYDown", "XRightYUp", "XLeftYDown", "XLeftYUp", "XDownYRight",
