@@ -97,6 +97,32 @@ std::string axis_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBo
       right->change);
 }
 
+/// Whether each side of the boxes covers at least half of that of the other, whichever is shorter.
+bool cover_each_other(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) {
+  const Eigen::AlignedBox3d common = a.intersection(b);
+  return !common.isEmpty() &&
+         (common.sizes().array() >= 0.5 * a.sizes().cwiseMin(b.sizes()).array()).all();
+}
+
+/// A hint at lines whose y axis points up, as most programs for 3D graphics write them; "" if they
+/// would not lie in the cloud with z up.
+std::string height_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBox3d& cloud_m) {
+  if (lines_m.isEmpty() || cover_each_other(lines_m, cloud_m)) return "";
+  for (const double y_from_z : {-1.0, 1.0}) {
+    const auto turned = [&](const Eigen::Vector3d& x) {
+      return Eigen::Vector3d(x.x(), y_from_z * x.z(), x.y());
+    };
+    Eigen::AlignedBox3d z_up(turned(lines_m.min()));
+    z_up.extend(turned(lines_m.max()));
+    if (!cover_each_other(z_up, cloud_m)) continue;
+    return fmt::format(
+        "; y and z look exchanged: with {}z as y and y as height the lines would lie in the cloud; "
+        "export them with z up",
+        y_from_z < 0.0 ? "-" : "");
+  }
+  return "";
+}
+
 /// A clause about a common shift of all lines; "" if there is none.
 std::string shift_hint(const std::optional<evaluate::ConstantShift>& shift) {
   if (!shift || !shift->is_significant()) return "";
@@ -131,13 +157,14 @@ void require_frame_of_cloud(const Evaluation& evaluation,
                     io::unit_text(cloud.unit_m().x() * cloud.plan_scale().x())));
   }
   const Eigen::AlignedBox3d lines_box = bounds_m_of(set);
+  std::string hint = height_hint(lines_box, cloud_box);
+  if (hint.empty()) hint = unit_hint(lines_box, cloud_box) + axis_hint(lines_box, cloud_box);
   throw io::IoError(
       set.path,
       fmt::format("lines and cloud are not in the same frame: {}; lines {}; cloud {}{}{}",
                   check.reason + shift_hint(evaluation.shift),
                   bounds_text(set.crs, lines_box, unit_m_of(set)),
-                  bounds_text(cloud.crs(), cloud_box, cloud.unit_m()),
-                  unit_hint(lines_box, cloud_box) + axis_hint(lines_box, cloud_box),
+                  bounds_text(cloud.crs(), cloud_box, cloud.unit_m()), hint,
                   set.stated_unit.empty()
                       ? ""
                       : fmt::format("; the unit of the line file is {}", set.stated_unit)));
