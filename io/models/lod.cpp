@@ -55,9 +55,16 @@ std::vector<std::optional<std::string>> LodChoice::choose(const std::vector<LodO
     has_wanted = has_wanted || chosen.back();
     if (!chosen.back()) chosen.back() = chosen_lod(object.lods, "");
   }
-  if (!has_wanted) return std::vector<std::optional<std::string>>(objects.size());
+  if (!has_wanted) {
+    const bool has_faces =
+        std::ranges::any_of(objects, [](const LodObject& object) { return !object.lods.empty(); });
+    if (has_faces) without_faces_.push_back(objects[0].id);
+    return std::vector<std::optional<std::string>>(objects.size());
+  }
+  for (std::size_t i = 1; i < objects.size(); ++i)
+    if (!chosen[i] && !objects[i].lods.empty()) without_faces_.push_back(objects[i].id);
   const auto leave_out = [&](std::size_t i) {
-    left_out_[*chosen[i]].push_back(objects[i].id);
+    repeated_[*chosen[i]].push_back(objects[i].id);
     chosen[i].reset();
   };
   for (std::size_t i = 1; i < objects.size() && chosen[0]; ++i) {
@@ -71,26 +78,23 @@ std::vector<std::optional<std::string>> LodChoice::choose(const std::vector<LodO
 }
 
 std::vector<std::string> LodChoice::warnings() const {
-  std::size_t n_all = 0;
+  std::size_t n_all = without_faces_.size();
   std::string usual;
   for (const auto& [lod, ids] : read_) {
     n_all += ids.size();
     if (usual.empty() || ids.size() >= read_.at(usual).size()) usual = lod;
   }
-  for (const auto& [lod, ids] : left_out_) n_all += ids.size();
+  for (const auto& [lod, ids] : repeated_) n_all += ids.size();
   std::vector<std::string> warnings;
-  for (const auto& [lod, ids] : read_) {
-    if (lod == usual) continue;
-    warnings.push_back(
-        counted(ids, n_all, fmt::format("read in LoD {} and the others in LoD {}", lod, usual)));
-  }
-  for (const auto& [lod, ids] : left_out_) {
-    warnings.push_back(counted(
-        ids, n_all,
-        fmt::format(
-            "left out, because its faces in LoD {} repeat those that are read in another level",
-            lod)));
-  }
+  const auto warn = [&](const Ids& ids, const std::string& text) {
+    if (!ids.empty()) warnings.push_back(counted(ids, n_all, text));
+  };
+  for (const auto& [lod, ids] : read_)
+    if (lod != usual) warn(ids, fmt::format("read in LoD {} (most in LoD {})", lod, usual));
+  for (const auto& [lod, ids] : repeated_)
+    warn(ids, fmt::format("left out, as the faces in LoD {} repeat those of another level", lod));
+  warn(without_faces_, fmt::format("left out, as there are no faces in LoD {}",
+                                   wanted_.empty() ? "1 to 3" : wanted_));
   return warnings;
 }
 

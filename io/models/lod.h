@@ -22,8 +22,8 @@ struct LodObject {
   std::set<std::string> lods;
 };
 
-/// Chooses the levels of detail of buildings and their parts, and notes for the user which objects
-/// are read in another level than most, and which are left out.
+/// Chooses the levels of detail of buildings and their parts, and notes which of them are read in
+/// another level than most, and which are left out.
 class LodChoice {
  public:
   explicit LodChoice(std::string wanted) : wanted_(std::move(wanted)) {}
@@ -40,8 +40,9 @@ class LodChoice {
   using Ids = std::vector<std::string>;
 
   std::string wanted_;
-  std::map<std::string, Ids> read_;  ///< ids of the objects by level
-  std::map<std::string, Ids> left_out_;
+  std::map<std::string, Ids> read_;      ///< ids of the objects by level
+  std::map<std::string, Ids> repeated_;  ///< left out beside the parts, or the whole
+  Ids without_faces_;                    ///< in a level that may be read
 };
 
 }  // namespace ridgeline::io

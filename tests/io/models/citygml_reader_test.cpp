@@ -293,14 +293,14 @@ TEST_F(CityGml, EachPartIsReadInItsOwnHighestLevel) {
   const BuildingModel model = read(city);
   EXPECT_THAT(ids_of(model), ElementsAre("q1", "p2", "d"));
   EXPECT_EQ(model.buildings[0].lod, "2");
-  EXPECT_THAT(model.warnings, Contains("1 of 3 buildings and parts is read in LoD 1 and the others "
-                                       "in LoD 2: low"));
+  EXPECT_THAT(model.warnings,
+              Contains("1 of 3 buildings and parts is read in LoD 1 (most in LoD 2): low"));
   EXPECT_THAT(ids_of(read(city, "1")), ElementsAre("q1", "p1"));
   // Faces of the building itself in a lower level are an outline of the whole.
   const std::string outline = solid_2(polygon_2("o", kGroundText), 1);
   const BuildingModel parts = read(city_2(building_2("B", outline + high)));
   EXPECT_THAT(ids_of(parts), ElementsAre("p2"));
-  EXPECT_THAT(parts.warnings, Contains(HasSubstr("left out, because its faces in LoD 1 repeat")));
+  EXPECT_THAT(parts.warnings, Contains(HasSubstr("left out, as the faces in LoD 1 repeat")));
 }
 
 TEST_F(CityGml, OpeningsAndInstallationsAreReadButDoNotDecideTheLevel) {
