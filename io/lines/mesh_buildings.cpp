@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -97,16 +98,16 @@ class PlanJoin {
  public:
   PlanJoin(const std::vector<Face>& faces, const Names& names, DisjointSets& parts)
       : faces_(faces), names_(names), parts_(parts) {
-    std::vector<Segment2> edges;
+    std::map<std::string_view, std::set<std::size_t>> parts_of;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      if (!names[i].empty()) parts_of[names[i]].insert(parts.name_of(i));
     for (std::size_t i = 0; i < faces.size(); ++i) {
+      if (names[i].empty() || parts_of.at(names[i]).size() == 1) continue;
       for (const Ring& ring : faces[i].rings) {
-        for (std::size_t k = 0; k < ring.size(); ++k) {
-          edges.push_back({ring[k].head<2>(), ring[(k + 1) % ring.size()].head<2>()});
-          face_of_edge_.push_back(i);
-        }
+        for (std::size_t k = 0; k < ring.size(); ++k)
+          add_edge({ring[k].head<2>(), ring[(k + 1) % ring.size()].head<2>()}, i);
       }
     }
-    edges_ = std::move(edges);
     edge_index_ = BoxIndex2(edges_);
     face_index_ =
         BoxIndex2(transformed(faces, [](const Face& face) { return plan_box_of(face.rings[0]); }));
@@ -115,7 +116,6 @@ class PlanJoin {
   void join() {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       const std::size_t face = face_of_edge_[i];
-      if (names_[face].empty()) continue;
       for (const std::size_t k : edge_index_.near(edges_[i], kNear)) {
         const std::size_t other = face_of_edge_[k];
         if (are_parts_of_one(face, other) && distance(edges_[i], edges_[k]) <= kNear)
@@ -128,7 +128,21 @@ class PlanJoin {
   }
 
  private:
-  static constexpr double kNear = 0.05;  // units of the file
+  static constexpr double kNear = 0.05, kSame = 0.01;  // units of the file
+  using Cell = std::pair<double, double>;
+
+  /// Adds an edge in plan, or joins its face to that of an earlier edge at the same place.
+  void add_edge(const Segment2& edge, std::size_t face) {
+    if (!edge.start.allFinite() || !edge.end.allFinite()) return;
+    const auto cell = [](const Eigen::Vector2d& x) {
+      return std::pair(std::round(x.x() / kSame), std::round(x.y() / kSame));
+    };
+    const std::pair<Cell, Cell> ends = std::minmax(cell(edge.start), cell(edge.end));
+    const auto [entry, is_new] = known_.try_emplace({names_[face], ends}, face);
+    if (!is_new) return parts_.join(entry->second, face);
+    edges_.push_back(edge);
+    face_of_edge_.push_back(face);
+  }
 
   [[nodiscard]] bool are_parts_of_one(std::size_t a, std::size_t b) {
     return names_[a] == names_[b] && parts_.name_of(a) != parts_.name_of(b);
@@ -151,6 +165,7 @@ class PlanJoin {
   DisjointSets& parts_;
   std::vector<Segment2> edges_;
   std::vector<std::size_t> face_of_edge_;
+  std::map<std::pair<std::string_view, std::pair<Cell, Cell>>, std::size_t> known_;
   BoxIndex2 edge_index_, face_index_;
 };
 
