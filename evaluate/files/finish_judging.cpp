@@ -97,6 +97,36 @@ std::string axis_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBo
       right->change);
 }
 
+/// Whether lines lie in a cloud: with most of their height, and with half of the shorter side in
+/// plan.
+bool lie_in(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBox3d& cloud_m) {
+  constexpr double kMinInPlan = 0.5, kMinInHeight = 0.8;
+  const Eigen::AlignedBox3d common = lines_m.intersection(cloud_m);
+  if (common.isEmpty()) return false;
+  const Eigen::Vector3d needed = lines_m.sizes().cwiseMin(cloud_m.sizes()) * kMinInPlan;
+  return common.sizes().z() >= kMinInHeight * lines_m.sizes().z() &&
+         (common.sizes().array() >= needed.array()).all();
+}
+
+/// A hint at lines whose y axis points up, as most programs for 3D graphics write them; "" if they
+/// would not lie in the cloud with z up.
+std::string height_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBox3d& cloud_m) {
+  if (lines_m.isEmpty() || lie_in(lines_m, cloud_m)) return "";
+  for (const double y_from_z : {-1.0, 1.0}) {
+    const auto turned = [&](const Eigen::Vector3d& x) {
+      return Eigen::Vector3d(x.x(), y_from_z * x.z(), x.y());
+    };
+    Eigen::AlignedBox3d z_up(turned(lines_m.min()));
+    z_up.extend(turned(lines_m.max()));
+    if (!lie_in(z_up, cloud_m)) continue;
+    return fmt::format(
+        "y and z look exchanged: with {}z as y and y as height the lines would lie in the cloud; "
+        "export them with z up",
+        y_from_z < 0.0 ? "-" : "");
+  }
+  return "";
+}
+
 /// A clause about a common shift of all lines; "" if there is none.
 std::string shift_hint(const std::optional<evaluate::ConstantShift>& shift) {
   if (!shift || !shift->is_significant()) return "";
@@ -116,12 +146,22 @@ Eigen::AlignedBox3d bounds_m_of(const io::LineSet& set) {
   return box;
 }
 
+/// Throws IoError if the lines do not lie in the cloud. Adds a warning if they do but probably
+/// should be turned.
 void require_frame_of_cloud(const Evaluation& evaluation,
                             const io::LineSet& set,
-                            io::CloudFiles& cloud) {
+                            io::CloudFiles& cloud,
+                            std::vector<std::string>& warnings) {
+  constexpr double kMaxUsual_m = 1.0;  // below it, the extent of the cloud need not be read
   const evaluate::FrameCheck check = evaluate::check_frame(evaluation.lines, kFrameTolerance_m);
-  if (check.same_frame) return;
+  if (check.same_frame && check.median_distance_m.value_or(0.0) <= kMaxUsual_m) return;
+  const Eigen::AlignedBox3d lines_box = bounds_m_of(set);
   const Eigen::AlignedBox3d cloud_box = cloud.extent_in_world();
+  const std::string turned = height_hint(lines_box, cloud_box);
+  if (check.same_frame) {
+    if (!turned.empty()) warnings.push_back(set.path + ": " + turned);
+    return;
+  }
   if (cloud_box.isEmpty()) {
     throw io::IoError(
         cloud.path(),
@@ -130,14 +170,14 @@ void require_frame_of_cloud(const Evaluation& evaluation,
                     io::describe(cloud.crs()).name,
                     io::unit_text(cloud.unit_m().x() * cloud.plan_scale().x())));
   }
-  const Eigen::AlignedBox3d lines_box = bounds_m_of(set);
   throw io::IoError(
       set.path,
       fmt::format("lines and cloud are not in the same frame: {}; lines {}; cloud {}{}{}",
                   check.reason + shift_hint(evaluation.shift),
                   bounds_text(set.crs, lines_box, unit_m_of(set)),
                   bounds_text(cloud.crs(), cloud_box, cloud.unit_m()),
-                  unit_hint(lines_box, cloud_box) + axis_hint(lines_box, cloud_box),
+                  turned.empty() ? unit_hint(lines_box, cloud_box) + axis_hint(lines_box, cloud_box)
+                                 : "; " + turned,
                   set.stated_unit.empty()
                       ? ""
                       : fmt::format("; the unit of the line file is {}", set.stated_unit)));
@@ -245,7 +285,8 @@ JudgedFiles finish_judging(PreparedLines prepared,
                                                shifts[i], judged.frame, options));
     if (options.area) judged.evaluations.back().area = std::move(judged.areas[i]);
     if (!options.area)
-      require_frame_of_cloud(judged.evaluations.back(), judged.line_sets[i], cloud);
+      require_frame_of_cloud(judged.evaluations.back(), judged.line_sets[i], cloud,
+                             judged.warnings);
     if (!batches.decoys.empty()) {
       add_decoys(batches.decoys[i], lines[i], judged.evaluations.back());
       check_follows_cloud(judged.evaluations.back(), judged.line_sets[i].path, options,

@@ -42,6 +42,25 @@ std::optional<std::string> city_json(const io::LineSet& set, const JudgedModel& 
   return io::with_attributes(set.path, io::text_of_model(set.path), prefixed_columns(), values);
 }
 
+/// A table without the figures of an earlier judging.
+io::AttributeTable without_figures(const io::AttributeTable& table) {
+  const std::vector<io::Column> figures = prefixed_columns();
+  std::vector<std::optional<std::size_t>> kept_as;
+  io::AttributeTable kept;
+  for (const io::Column& column : table.columns) {
+    const bool is_figure =
+        std::ranges::find(figures, column.name, &io::Column::name) != figures.end();
+    kept_as.push_back(is_figure ? std::nullopt : std::optional(kept.columns.size()));
+    if (!is_figure) kept.columns.push_back(column);
+  }
+  for (const io::SparseRow& row : table.rows) {
+    io::SparseRow& values = kept.rows.emplace_back();
+    for (const auto& [column, value] : row)
+      if (kept_as[column]) values.emplace_back(*kept_as[column], value);
+  }
+  return kept;
+}
+
 /// The model with its reference system, and with the figures appended to the attributes of its
 /// file.
 io::BuildingModel with_figures(const io::LineSet& set,
@@ -49,7 +68,7 @@ io::BuildingModel with_figures(const io::LineSet& set,
                                const io::Crs& cloud_crs) {
   io::BuildingModel model = *set.model;
   model.crs = set.crs.known() ? set.crs : cloud_crs;
-  model.attributes = set.features;
+  model.attributes = without_figures(set.features);
   const std::size_t first = model.attributes.columns.size();
   std::ranges::move(prefixed_columns(), std::back_inserter(model.attributes.columns));
   model.attributes.rows.resize(model.buildings.size());
@@ -74,7 +93,7 @@ void write_model_with_figures(const std::string& file, const JudgedFiles& judged
   if (io::lower_case(file).ends_with(".gpkg")) {
     const ToMap to_map(judged.evaluations[i].origin_m, unit_m_of(set));
     io::write_geopackage(file, set.crs.known() ? set.crs : judged.cloud_crs,
-                         model_layers(model, set, to_map));
+                         model_layers(model, without_figures(set.features), to_map));
     return;
   }
   if (is_json(file) && set.format.starts_with("CityJSON")) {

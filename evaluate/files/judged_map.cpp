@@ -323,7 +323,8 @@ void write_judged_map(const std::string& path,
   const ToMap to_map(evaluation.origin_m, unit_m);
   std::vector<io::MapLayer> layers{planes_layer(judged.planes[i], to_map)};
   if (i < judged.models.size() && judged.models[i])
-    std::ranges::move(model_layers(*judged.models[i], set, to_map), std::back_inserter(layers));
+    std::ranges::move(model_layers(*judged.models[i], set.features, to_map),
+                      std::back_inserter(layers));
   layers.push_back(lines_layer(set, evaluation, judged.planes[i], schema));
   layers.push_back(vectors_layer(set, evaluation, unit_m, to_map));
   layers.push_back(to_fix_layer(to_fix(judged, i), to_map));

@@ -117,20 +117,20 @@ Polygon polygon_of(const evaluate::RoofFace& face, const ToMap& to_map) {
 }
 
 io::MapLayer buildings_layer(const JudgedModel& judged,
-                             const io::LineSet& set,
+                             const io::AttributeTable& attributes,
                              const ToMap& to_map) {
   io::MapLayer layer{.name = "buildings",
                      .description = "Buildings with the figures of their lines and roof faces",
                      .geometry = io::MapGeometry::kMultiPolygon,
-                     .columns = renamed(set.features.columns, columns_of(building_fields())),
+                     .columns = renamed(attributes.columns, columns_of(building_fields())),
                      .features = {},
                      .style = buildings_style()};
   const std::size_t first = layer.columns.size();
   std::ranges::move(columns_of(building_fields()), std::back_inserter(layer.columns));
   for (std::size_t i = 0; i < judged.buildings.size(); ++i) {
     io::MapFeature feature;
-    if (judged.places[i] < set.features.rows.size())
-      feature.values = set.features.rows[judged.places[i]];
+    if (judged.places[i] < attributes.rows.size())
+      feature.values = attributes.rows[judged.places[i]];
     for (const evaluate::RoofFace& face : judged.buildings[i].faces)
       feature.polygons.push_back(polygon_of(face, to_map));
     add_values(building_fields(), first, feature.values, judged.rows[i]);
@@ -184,9 +184,9 @@ io::SparseRow building_values(const BuildingRow& row, std::size_t first) {
 }
 
 std::vector<io::MapLayer> model_layers(const JudgedModel& judged,
-                                       const io::LineSet& set,
+                                       const io::AttributeTable& attributes,
                                        const ToMap& to_map) {
-  return {buildings_layer(judged, set, to_map), faces_layer(judged, to_map)};
+  return {buildings_layer(judged, attributes, to_map), faces_layer(judged, to_map)};
 }
 
 }  // namespace ridgeline::results

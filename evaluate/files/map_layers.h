@@ -74,10 +74,11 @@ class ToMap {
 std::vector<io::Column> building_columns();
 io::SparseRow building_values(const evaluate::BuildingRow& row, std::size_t first);
 
-/// The layers of a judged model, in map coordinates: `buildings`, with their attributes in the
-/// file, and `faces`. The geometry of a building consists of the polygons of its roof faces.
+/// The layers of a judged model, in map coordinates: `buildings`, with `attributes` (a row for each
+/// building of the file), and `faces`. The geometry of a building consists of the polygons of its
+/// roof faces.
 std::vector<io::MapLayer> model_layers(const JudgedModel& judged,
-                                       const io::LineSet& set,
+                                       const io::AttributeTable& attributes,
                                        const ToMap& to_map);
 
 }  // namespace ridgeline::results

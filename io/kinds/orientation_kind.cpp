@@ -61,6 +61,14 @@ bool is_opk_row(std::string_view row) {
          std::all_of(fields.end() - kNumbers, fields.end(), is_number);
 }
 
+/// Whether rows begin an OBJ: a vertex, then another record. A vertex with a colour,
+/// `v x y z r g b`, looks like the orientation of an image called "v".
+bool begins_as_obj(std::span<const TextRow> rows) {
+  constexpr std::array kRecords{"v", "vn", "vt", "vp", "p", "l", "f", "o", "g", "s", "usemtl"};
+  if (rows.size() < 2 || words_of(rows[0].text).front() != "v") return false;
+  return std::ranges::find(kRecords, words_of(rows[1].text).front()) != kRecords.end();
+}
+
 bool is_roll_pitch_yaw(std::string_view row) {
   const std::string text = lower_case(row);
   return has_part(text, "roll") && has_part(text, "pitch") && has_part(text, "yaw");
@@ -72,12 +80,11 @@ std::optional<OrientationFormat> format_of_rows(std::span<const TextRow> rows) {
     if (is_roll_pitch_yaw(row.text)) return OrientationFormat::kRollPitchYaw;
     if (!is_comment_row(row.text)) break;
   }
-  const auto first =
-      std::ranges::find_if(rows, [](const TextRow& row) { return !is_comment_row(row.text); });
-  if (first == rows.end()) return std::nullopt;
-  if (is_pat_b(rows.subspan(static_cast<std::size_t>(first - rows.begin()))))
-    return OrientationFormat::kPatB;
-  if (is_opk_row(first->text)) return OrientationFormat::kOpkTable;
+  std::vector<TextRow> records(rows.begin(), rows.end());
+  std::erase_if(records, [](const TextRow& row) { return is_comment_row(row.text); });
+  if (records.empty() || begins_as_obj(records)) return std::nullopt;
+  if (is_pat_b(records)) return OrientationFormat::kPatB;
+  if (is_opk_row(records.front().text)) return OrientationFormat::kOpkTable;
   return std::nullopt;
 }
 

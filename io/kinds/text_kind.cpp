@@ -162,7 +162,7 @@ FileKind kind_of_rows(std::span<const TextRow> rows) {
   }
   const std::vector<std::string> first = fields_of_any(rows[0].text);
   if (FileKind kind = first_of(kTables, first); kind.is_known()) return kind;
-  if (rows[0].text.starts_with("v ") || rows[0].text.starts_with("mtllib ")) {
+  if (const auto word = words_of(rows[0].text).front(); word == "v" || word == "mtllib") {
     return format_with_extension(".obj");
   }
   // the first row may name the columns or count the points

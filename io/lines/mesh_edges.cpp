@@ -2,14 +2,11 @@
 #include "io/lines/mesh_edges.h"
 
 #include "io/lines/model_edges.h"
-#include "reconstruct/geometry/disjoint_sets.h"
 #include "reconstruct/geometry/faces/face_geometry.h"
-#include "reconstruct/geometry/faces/face_seams.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -50,31 +47,6 @@ BuildingModel model_of(const PolygonMesh& mesh) {
   return model;
 }
 
-/// The name of the connected part of each face.
-std::vector<std::string> connected_parts(const std::vector<Face>& faces) {
-  DisjointSets parts(faces.size());
-  for (const FaceSeam& seam : seams_of(faces))
-    for (const std::size_t face : seam.faces) parts.join(seam.faces[0], face);
-  std::map<std::size_t, std::size_t> numbers;
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const auto number = numbers.try_emplace(parts.name_of(i), numbers.size() + 1).first->second;
-    names.push_back(std::to_string(number));
-  }
-  return names;
-}
-
-/// Assigns each face to its building.
-void divide(const std::vector<std::string>& names, BuildingModel& model) {
-  std::map<std::string, std::size_t> numbers;
-  for (std::size_t i = 0; i < model.faces.size(); ++i) {
-    const auto [entry, is_new] = numbers.try_emplace(names[i], model.buildings.size());
-    if (is_new) model.buildings.push_back({names[i], ""});
-    model.faces[i].building = entry->second;
-  }
-  model.attributes.rows.resize(model.buildings.size());
-}
-
 bool has_walls(const BuildingModel& model) {
   return std::ranges::any_of(model.faces, [](const Face& face) {
     const auto plane = plane_of(face);
@@ -91,7 +63,7 @@ void append_mesh(const PolygonMesh& mesh, LineSet& set) {
     return append_distinct_edges(mesh.vertices, mesh.polygons, set);
   }
   require_room(set, model.faces.size());
-  divide(mesh.objects.empty() ? connected_parts(model.faces) : mesh.objects, model);
+  divide_into_buildings(mesh.names, model);
   model.path = set.path;
   model.format = set.format;
   set = lines_of_model(std::move(model));

@@ -22,7 +22,7 @@ struct ObjFile {
   Vertices vertices;
   std::vector<Record> lines;
   std::vector<Record> faces;
-  std::vector<std::string> objects;  ///< for each face: the name of the last `o` or `g` record
+  MeshNames names;  ///< of the faces
 };
 
 /// A row together with the rows that continue it. A row that ends in a backslash continues on the
@@ -69,11 +69,26 @@ Record parse_indices(const std::vector<std::string_view>& words,
   return record;
 }
 
+/// The text of a record after its first word.
+std::string name_in(const std::vector<std::string_view>& words) {
+  return fmt::format("{}", fmt::join(words.begin() + 1, words.end(), " "));
+}
+
+/// Notes a record that names the faces after it; an object begins without a group.
+void take_name(const std::vector<std::string_view>& words, MeshNames& names) {
+  FaceNames stated = names.all.back();
+  if (words[0] == "o") stated.group.clear();
+  (words[0] == "o"   ? stated.object
+   : words[0] == "g" ? stated.group
+                     : stated.material) = name_in(words);
+  names.all.push_back(std::move(stated));
+}
+
 /// Reads the records. `set` is where the lines will go; it must have room for them.
 ObjFile parse_obj(const std::string& path, std::string_view content, const LineSet& set) {
   constexpr std::size_t kMaxRow_bytes = 4U << 20U;  // polylines of half a million vertices
   ObjFile obj;
-  std::string object;
+  obj.names.all.emplace_back();
   for (const LogicalRow& row : logical_rows(content)) {
     const std::string where = place(path, row.number);
     if (row.text.size() > kMaxRow_bytes) {
@@ -84,10 +99,10 @@ ObjFile parse_obj(const std::string& path, std::string_view content, const LineS
     if (words.empty()) continue;
     if (words[0] == "v") {
       obj.vertices.push_back(parse_vertex(words, where));
-    } else if (words[0] == "o" || words[0] == "g") {
-      object = fmt::format("{}", fmt::join(words.begin() + 1, words.end(), " "));
+    } else if (words[0] == "o" || words[0] == "g" || words[0] == "usemtl") {
+      take_name(words, obj.names);
     } else if (words[0] == "l" || words[0] == "f") {
-      if (words[0] == "f") obj.objects.push_back(object);
+      if (words[0] == "f") obj.names.of_face.push_back(obj.names.all.size() - 1);
       (words[0] == "l" ? obj.lines : obj.faces)
           .push_back(parse_indices(words, row.number, obj.vertices.size(), where));
       require_room(set, obj.lines.size());
@@ -198,11 +213,7 @@ LineSet read_obj(const std::string& path, std::string_view content, bool vertex_
     append_polylines(obj.vertices, resolved(obj.lines, obj.vertices.size(), path), set);
     set.left_out.add(kinds::kFace, obj.faces.size());
   } else if (!obj.faces.empty()) {
-    PolygonMesh mesh{obj.vertices, resolved(obj.faces, obj.vertices.size(), path), {}};
-    const bool has_objects =
-        std::ranges::any_of(obj.objects, [](const auto& o) { return !o.empty(); });
-    if (has_objects) mesh.objects = obj.objects;
-    append_mesh(mesh, set);
+    append_mesh({obj.vertices, resolved(obj.faces, obj.vertices.size(), path), obj.names}, set);
   } else if (!obj.vertices.empty()) {
     throw IoError(path,
                   "has vertices but no l and no f records; `pairs` takes vertices two by two");

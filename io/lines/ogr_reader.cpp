@@ -200,10 +200,18 @@ class OgrReader {
     if (chosen == layers.end() || layers.size() == 1) return layers;
     std::vector<std::string> others;
     for (OGRLayer* layer : layers)
-      if (layer != *chosen) others.push_back(name_of(layer));
+      if (layer != *chosen) others.push_back(name_of(layer) + surplus_of(*layer, **chosen));
     set_.warnings.push_back(
         fmt::format("reading layer {}; ignored: {}", name_of(*chosen), fmt::join(others, ", ")));
     return {*chosen};
+  }
+
+  /// " (3 features more)" for a level of detail in which more buildings or parts have faces than in
+  /// the one that is read.
+  static std::string surplus_of(OGRLayer& layer, OGRLayer& chosen) {
+    const GIntBig n_more = layer.GetFeatureCount() - chosen.GetFeatureCount();
+    if (lod_of(layer.GetName()).empty() || n_more <= 0) return "";
+    return fmt::format(" ({} feature{} more)", n_more, n_more == 1 ? "" : "s");
   }
 
   static std::string name_of(OGRLayer* layer) { return layer->GetName(); }

@@ -34,6 +34,7 @@ bool add_to(json& document,
     if (!done.insert(id).second) return false;
     json& attributes = object["attributes"];
     if (!attributes.is_object()) attributes = json::object();
+    for (const Column& column : columns) attributes.erase(column.name);
     for (const auto& [column, value] : found->second)
       attributes[columns[column].name] = json_of(value);
   }

@@ -15,10 +15,10 @@ namespace ridgeline::io {
 using BuildingValues = std::map<std::string, SparseRow>;
 
 /// The text of a CityJSON file (a document or a sequence) with additional attributes of its
-/// buildings; everything else stays unchanged. An attribute of the same name is replaced. `columns`
-/// are the names of the values. Keys are sorted by name. Returns std::nullopt if two objects have
-/// the id of one building, as is possible in a sequence. Throws IoError under the same conditions
-/// as read_cityjson().
+/// buildings; everything else stays unchanged. `columns` are the names of the values. An attribute
+/// of one of these names is replaced, or removed if it has no new value. Keys are sorted by name.
+/// Returns std::nullopt if two objects have the id of one building, as is possible in a sequence.
+/// Throws IoError under the same conditions as read_cityjson().
 std::optional<std::string> with_attributes(const std::string& path,
                                            std::string_view content,
                                            const std::vector<Column>& columns,

@@ -18,15 +18,17 @@ namespace {
 constexpr LeftOutKind kOpenReference{"reference to a missing surface",
                                      "references to missing surfaces"};
 
-/// The level of detail in which a building is read, as text.
-std::optional<std::string> lod_of_building(const std::vector<GeometryProperty>& properties,
-                                           const ReadModelOptions& options) {
-  std::set<std::string> lods;
+/// The levels of detail in which the building, its parts and installations have faces of their own.
+std::vector<LodObject> lod_objects(const std::vector<GeometryProperty>& properties,
+                                   const std::vector<std::string>& ids) {
+  std::vector<LodObject> objects;
+  for (const std::string& id : ids) objects.push_back({id, {}});
   for (const GeometryProperty& property : properties) {
     const bool is_empty = property.surfaces.first == property.surfaces.end;
-    if (!is_empty && !property.is_extra) lods.insert(std::to_string(property.lod));
+    if (!is_empty && !property.is_extra)
+      objects[property.part].lods.insert(std::to_string(property.lod));
   }
-  return chosen_lod(lods, options.lod);
+  return objects;
 }
 
 /// Chooses the polygons of one building that become faces.
@@ -118,18 +120,22 @@ void reverse_rings(Face& face) {
 
 void append_faces(const GmlSurfaces& surfaces,
                   const std::vector<GeometryProperty>& properties,
-                  const ReadModelOptions& options,
+                  const std::vector<std::string>& ids,
+                  LodChoice& choice_of_lods,
                   BuildingModel& model,
                   std::vector<OpenReference>& open) {
-  const std::optional<std::string> lod = lod_of_building(properties, options);
-  if (!lod) return;
-  model.buildings.back().lod = *lod;
+  const auto lods = choice_of_lods.choose(lod_objects(properties, ids));
+  const std::optional<std::string> highest = std::ranges::max(lods);
+  if (!highest) return;
+  model.buildings.back().lod = *highest;
   const std::size_t building = model.buildings.size() - 1;
   FaceChoice choice(surfaces, building, open);
   for (const bool thematic : {true, false}) {
     for (const GeometryProperty& property : properties) {
-      if (std::to_string(property.lod) == *lod && property.is_thematic == thematic)
-        choice.add(property);
+      const std::string& lod = lods[property.part] ? *lods[property.part] : *highest;
+      const bool is_left_out = !lods[property.part] && !property.is_extra;
+      if (is_left_out || std::to_string(property.lod) != lod) continue;
+      if (property.is_thematic == thematic) choice.add(property);
     }
   }
   for (const FaceChoice::Chosen& chosen : choice.take()) {

@@ -3,6 +3,7 @@
 
 #include "io/models/building_model.h"
 #include "io/models/gml_surfaces.h"
+#include "io/models/lod.h"
 
 #include <cstddef>
 #include <string>
@@ -30,13 +31,16 @@ struct OpenReference {
   FaceKind kind = FaceKind::kUnknown;
 };
 
-/// Appends the faces of the last building of a model and sets the building's level of detail. Each
-/// polygon becomes at most one face: thematic surfaces come first, and solids add the polygons that
-/// these lack. A polygon of a solid that repeats the outline of a face of the same part is left
-/// out. References to anything outside the building are added to `open`.
+/// Appends the faces of the last building of a model and sets the building's level of detail, the
+/// highest of its parts. `ids`: of the building, its parts and installations. An installation is
+/// read in the level of its building. Each polygon becomes at most one face: thematic surfaces come
+/// first, and solids add the polygons that these lack. A polygon of a solid that repeats the
+/// outline of a face of the same part is left out. References to anything outside the building are
+/// added to `open`.
 void append_faces(const GmlSurfaces& surfaces,
                   const std::vector<GeometryProperty>& properties,
-                  const ReadModelOptions& options,
+                  const std::vector<std::string>& ids,
+                  LodChoice& choice_of_lods,
                   BuildingModel& model,
                   std::vector<OpenReference>& open);
 

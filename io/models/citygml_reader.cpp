@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -69,6 +70,7 @@ class CityGmlReader {
  public:
   CityGmlReader(const std::string& path, const ReadModelOptions& options)
       : options_(options),
+        lods_(options.lod),
         stream_(path,
                 {.start = [this](const XmlName& name,
                                  const XmlAttributes& attributes) { start(name, attributes); },
@@ -86,6 +88,7 @@ class CityGmlReader {
     resolve(open_, model_);
     settle_crs();
     settle_types(model_.attributes);
+    std::ranges::move(lods_.warnings(), std::back_inserter(model_.warnings));
     if (!options_.lod.empty() && model_.faces.empty() && !model_.buildings.empty()) {
       model_.warnings.push_back(fmt::format(
           "no building has faces of LoD {}; CityGML has the levels 1, 2 and 3", options_.lod));
@@ -138,11 +141,11 @@ class CityGmlReader {
         element.is_extra = true;
         return begin_surface(element, attributes, FaceKind::kOther);
       case kToPart:
-        return begin_part(element);
+        return begin_part(element, attributes);
       case kToInstallation:
         element.is_extra = true;
         element.kind = FaceKind::kOther;
-        return begin_part(element);
+        return begin_part(element, attributes);
       case kToInside:
         return skip_object(name);
       case kBounds:
@@ -191,7 +194,7 @@ class CityGmlReader {
     note_version(citygml::version_of(name.space));
     model_.buildings.push_back({std::string(attributes.value("id", kGmlSpace)), {}});
     attributes_.begin_row();
-    n_parts_ = 0;
+    part_ids_ = {model_.buildings.back().id};
     element.is_top = true;
     return ElementRole::kBuilding;
   }
@@ -210,8 +213,9 @@ class CityGmlReader {
     return ElementRole::kSurface;
   }
 
-  ElementRole begin_part(Element& element) {
-    element.part = ++n_parts_;
+  ElementRole begin_part(Element& element, const XmlAttributes& attributes) {
+    element.part = part_ids_.size();
+    part_ids_.emplace_back(attributes.value("id", kGmlSpace));
     element.is_top = false;
     return ElementRole::kBuilding;
   }
@@ -344,7 +348,7 @@ class CityGmlReader {
   }
 
   void end_building() {
-    append_faces(surfaces_, properties_, options_, model_, open_);
+    append_faces(surfaces_, properties_, part_ids_, lods_, model_, open_);
     surfaces_.clear();
     properties_.clear();
   }
@@ -379,6 +383,7 @@ class CityGmlReader {
   }
 
   ReadModelOptions options_;
+  LodChoice lods_;
   BuildingModel model_;
   XmlStream stream_;
   GmlSurfaces surfaces_;  ///< of the building being read
@@ -389,7 +394,7 @@ class CityGmlReader {
   std::vector<std::string> srs_names_;
   ReadAttribute attribute_;
   std::string word_;
-  std::size_t n_parts_ = 0;  ///< parts and installations of the building
+  std::vector<std::string> part_ids_;  ///< of the building, its parts and installations
 };
 
 }  // namespace

@@ -8,11 +8,13 @@
 #include "io/models/readers.h"
 #include "io/models/srs_name.h"
 #include "io/text/json_text.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -107,7 +109,7 @@ struct PlacedGeometry {
 class ObjectReader {
  public:
   ObjectReader(BuildingModel& model, const ReadModelOptions& options, std::size_t n_bytes)
-      : model_(model), options_(options), vertices_left_(std::max(kMinVertices, n_bytes)) {}
+      : model_(model), lods_(options.lod), vertices_left_(std::max(kMinVertices, n_bytes)) {}
 
   /// Templates are those of the document that the feature belongs to.
   void set_templates(const json& document) {
@@ -118,13 +120,19 @@ class ObjectReader {
     template_vertices_ = vertices_of(member(templates, "vertices-templates"), {}, where);
   }
 
+  [[nodiscard]] std::vector<std::string> lod_warnings() const { return lods_.warnings(); }
+
   void read(const json& objects, const std::vector<Eigen::Vector3d>& vertices) {
     if (!objects.is_object()) throw IoError(model_.path, "has no object \"CityObjects\"");
     for (const auto& [id, members] : buildings_of(objects)) read_building(id, members, vertices);
   }
 
  private:
-  using Members = std::vector<const json*>;  ///< a building and its parts
+  struct Member {
+    std::string id;
+    const json* object = nullptr;
+  };
+  using Members = std::vector<Member>;  ///< a building and its parts
 
   /// Buildings by id, with their parts; all other objects are counted.
   std::map<std::string, Members> buildings_of(const json& objects) {
@@ -136,7 +144,7 @@ class ObjectReader {
         continue;
       }
       Members& members = buildings[root_of(id, objects)];
-      members.insert(type == "Building" ? members.begin() : members.end(), &object);
+      members.insert(type == "Building" ? members.begin() : members.end(), {id, &object});
     }
     return buildings;
   }
@@ -164,31 +172,32 @@ class ObjectReader {
                      const Members& members,
                      const std::vector<Eigen::Vector3d>& vertices) {
     const std::size_t number = model_.buildings.size();
-    const std::optional<std::string> lod = chosen_lod(lods_of(members), options_.lod);
-    model_.buildings.push_back({id, lod.value_or("")});
+    const auto lods = lods_.choose(transformed(members, [&](const Member& of) {
+      return LodObject{of.id, lods_of(*of.object)};
+    }));
+    const auto highest = std::ranges::max_element(lods);
+    model_.buildings.push_back({id, highest->value_or("")});
     model_.attributes.rows.push_back(
-        columns_.row_of(member(*members.front(), "attributes"), model_.attributes));
+        columns_.row_of(member(*members.front().object, "attributes"), model_.attributes));
     where_ = fmt::format("{}: building {}", model_.path, id);
-    for (const json* const object : members) {
-      for (const json& geometry : member(*object, "geometry")) {
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      for (const json& geometry : member(*members[i].object, "geometry")) {
         if (text_member(geometry, "type") == "GeometryInstance") {
-          read_instance(geometry, lod, vertices, number);
+          read_instance(geometry, lods[i], vertices, number);
         } else {
-          read_geometry(geometry, lod, {&vertices}, number);
+          read_geometry(geometry, lods[i], {&vertices}, number);
         }
       }
     }
   }
 
-  std::set<std::string> lods_of(const Members& members) const {
+  std::set<std::string> lods_of(const json& object) const {
     std::set<std::string> lods;
-    for (const json* const object : members) {
-      for (const json& geometry : member(*object, "geometry")) {
-        const bool is_instance = text_member(geometry, "type") == "GeometryInstance";
-        const json* const source = is_instance ? template_of(geometry) : &geometry;
-        if (source != nullptr && depth_of_faces(text_member(*source, "type")))
-          lods.insert(text_member(*source, "lod"));
-      }
+    for (const json& geometry : member(object, "geometry")) {
+      const bool is_instance = text_member(geometry, "type") == "GeometryInstance";
+      const json* const source = is_instance ? template_of(geometry) : &geometry;
+      if (source != nullptr && depth_of_faces(text_member(*source, "type")))
+        lods.insert(text_member(*source, "lod"));
     }
     return lods;
   }
@@ -294,7 +303,7 @@ class ObjectReader {
   static constexpr std::size_t kMinVertices = 1'000'000;
 
   BuildingModel& model_;
-  const ReadModelOptions& options_;
+  LodChoice lods_;
   std::size_t vertices_left_;  ///< that faces may still have; small files can repeat them endlessly
   JsonColumns columns_;
   json templates_;
@@ -336,6 +345,7 @@ BuildingModel read_cityjson(const std::string& path,
     reader->read(member(document, "CityObjects"),
                  vertices_of(member(document, "vertices"), transform, where));
   });
+  if (reader) std::ranges::move(reader->lod_warnings(), std::back_inserter(model.warnings));
   if (is_cityjson_sequence(content)) model.format += " in lines";
   settle_types(model.attributes);
   return model;

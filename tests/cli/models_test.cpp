@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Models of buildings, judged: `evaluate --lines MODEL`.
 #include "io/cloud/las_writer.h"
+#include "io/models/read_model.h"
 #include "io/models/write_model.h"
 #include "tests/cli/cli_fixture.h"
 #include "tests/io/models/made_model.h"
@@ -8,8 +9,12 @@
 #include "tests/support/made_buildings.h"
 #include "tests/support/made_points.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <sstream>
 
 namespace ridgeline::cli {
 namespace {
@@ -224,6 +229,55 @@ TEST_F(Models, GoBackWithTheirFigures) {
   ASSERT_EQ(judge("town.gml", "gml", {"--write-attributes", "judged.gpkg"}).exit_code, 0);
   ASSERT_EQ(
       judge("town.gml", "gml", {"--write-attributes", "judged.gpkg", "--overwrite"}).exit_code, 0);
+}
+
+TEST_F(Models, GoBackWithTheFiguresOfTheLastTimeOnly) {
+  for (const std::string ending : {"gml", "city.json"}) {
+    SCOPED_TRACE(ending);
+    write_scan(buildings());
+    const std::string once = "once." + ending;
+    ASSERT_EQ(judge("town." + ending, "out", {"--write-attributes", once}).exit_code, 0);
+    // Where nothing was scanned, nothing is judged: the figures of the first time must not stay.
+    write_scan({buildings()[1]});
+    const std::string twice = "twice." + ending;
+    ASSERT_EQ(judge(once, "again", {"--write-attributes", twice}).exit_code, 0);
+    const io::BuildingModel model = io::read_model(path(twice).string());
+    std::set<std::string> names;
+    for (const io::Column& column : model.attributes.columns)
+      EXPECT_TRUE(names.insert(column.name).second) << column.name;
+    EXPECT_TRUE(names.contains("roof"));
+    const auto value = [&](std::size_t building, const char* name) {
+      for (const auto& [column, found] : model.attributes.rows[building])
+        if (model.attributes.columns[column].name == name) return io::text_of(found);
+      return std::string();
+    };
+    EXPECT_EQ(value(0, "ridgeline_verdict"), "not judged");
+    EXPECT_EQ(value(0, "ridgeline_rms_m"), "");
+    EXPECT_EQ(value(1, "ridgeline_verdict"), "too high");
+    const std::string text = read(path(twice));
+    std::size_t n = 0;
+    for (std::size_t at = 0; (at = text.find("ridgeline_verdict\"", at)) != std::string::npos; ++at)
+      ++n;
+    EXPECT_EQ(n, 4U);
+    // in a map, too
+    ASSERT_EQ(judge(once, "map", {"--write-attributes", ending + ".gpkg"}).exit_code, 0);
+    EXPECT_THAT(read(path(ending + ".gpkg")), Not(HasSubstr("ridgeline_verdict")));
+  }
+}
+
+TEST_F(Models, WithYUpAreRefusedNamingTheAxes) {
+  // x, z, -y of the first house's roof and a wall
+  std::string obj;
+  for (const char* const vertex : {"0 0 5", "8 0 5", "8 8 5", "0 8 5", "0 0 0", "8 0 0"}) {
+    std::istringstream words(vertex);
+    Eigen::Vector3d x;
+    words >> x.x() >> x.y() >> x.z();
+    x += io::kMadeOrigin;
+    obj += fmt::format("v {} {} {}\n", x.x(), x.z(), -x.y());
+  }
+  write(path("y_up.obj"), obj + "f 1 2 3 4\nf 5 6 2 1\n");
+  EXPECT_REFUSED(judge("y_up.obj", "out"),
+                 AllOf(HasSubstr("y and z look exchanged: with -z as y"), HasSubstr("z up")));
 }
 
 TEST_F(Models, AndOptionsThatDoNotFitAreRefused) {

@@ -75,6 +75,23 @@ TEST(KindOfContent, TellsOrientations) {
             FileGroup::kOrientation);
 }
 
+TEST(KindOfContent, TellsObjWithColoursFromOrientations) {
+  for (const char* const vertices :
+       {"v 1 2 3 0.5 0.4 0.3\nv 4 5 6 0.5 0.4 0.3\n", "v 1 2 3 128 116 100\nvn 0 0 1\n",
+        "v 1 2 3 1\nv 4 5 6 1\n", "v\t1 2 3\nv\t4 5 6\n", "v 0 0 0 1\nv 0 1 0 1\nv 0 0 1 1\n"}) {
+    for (const char* const before : {"", "####\n# of a tool\n####\n\n"}) {
+      const std::string content = std::string(before) + vertices + "f 1 2 1\n";
+      EXPECT_EQ(kind_of_content(content, "a.obj").what, "a mesh or lines (OBJ)") << content;
+      EXPECT_FALSE(kind_of_content(content, "a.obj").by_name) << content;
+    }
+  }
+  // images may be called "v" and "x"
+  EXPECT_EQ(kind_of_content("v 1 2 3 4 5 6\nx 1 2 3 4 5 6\n", "a.txt").group,
+            FileGroup::kOrientation);
+  EXPECT_EQ(kind_of_content("v 1 2 3\n1 0 0 0 1\n0 0 0 1\n", "a.txt").group,
+            FileGroup::kOrientation);
+}
+
 TEST(KindOfContent, TellsTextsByTheirFirstRows) {
   for (const auto& [content, what] : std::vector<std::pair<std::string, std::string>>{
            {R"({"type":"FeatureCollection","features":[]})", "GeoJSON"},

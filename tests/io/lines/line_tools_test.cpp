@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Results of other tools: OBJ and PLY models, Line3D++, LIMAP, ELSR; Shapefile and DXF.
+#include "io/gdal/geopackage_writer.h"
 #include "io/lines/line_facts.h"
 #include "io/lines/read_lines.h"
 #include "tests/support/paths.h"
@@ -311,6 +312,31 @@ TEST(ReadOgr, SaysWhatIsWrong) {
   EXPECT_THAT(tool_error_of("a.gpkg", ""), HasSubstr("a.gpkg: is empty"));
   EXPECT_THAT(tool_error_of("a.dxf", "\x01\x02\x03"), HasSubstr("a.dxf: is not a DXF"));
   EXPECT_THAT(io_error_of([] { read_lines("/nowhere/a.dxf"); }), HasSubstr("no such file"));
+}
+
+TEST(ReadOgr, CountsWhatALevelThatIsNotReadHasInAddition) {
+  const auto layer = [](const char* name, int n_buildings) {
+    MapLayer made{.name = name,
+                  .description = "",
+                  .geometry = MapGeometry::kMultiPolygon,
+                  .columns = {},
+                  .features = {},
+                  .style = {}};
+    for (int i = 0; i < n_buildings; ++i) {
+      const double x = 20.0 * i;
+      MapFeature& building = made.features.emplace_back();
+      building.polygons = {{{{x, 0, 5}, {x + 8, 0, 5}, {x + 8, 8, 5}, {x, 8, 5}}},
+                           {{{x, 0, 0}, {x + 8, 0, 0}, {x + 8, 0, 5}, {x, 0, 5}}}};
+    }
+    return made;
+  };
+  const TempFolder folder;
+  write_geopackage(folder.file("a.gpkg"), {"EPSG:25832"},
+                   {layer("lod12_3d", 2), layer("lod13_3d", 3), layer("lod22_3d", 2)});
+  const LineSet set = read_lines(folder.file("a.gpkg"));
+  EXPECT_EQ(set.model->buildings.size(), 2U);
+  EXPECT_THAT(set.warnings,
+              ElementsAre("reading layer lod22_3d; ignored: lod12_3d, lod13_3d (1 feature more)"));
 }
 
 TEST(ReadDxf, TakesTheLayerAsTheClass) {

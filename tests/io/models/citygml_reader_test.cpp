@@ -278,6 +278,31 @@ TEST_F(CityGml, TheHighestLevelUpTo3IsReadUnlessOneIsChosen) {
   EXPECT_THAT(none.warnings, Contains(HasSubstr("no building has faces of LoD 2.2")));
 }
 
+TEST_F(CityGml, EachPartIsReadInItsOwnHighestLevel) {
+  const auto part = [](const std::string& id, const std::string& content) {
+    return fmt::format(
+        "<b:consistsOfBuildingPart><b:BuildingPart g:id=\"{}\">{}</b:BuildingPart>"
+        "</b:consistsOfBuildingPart>",
+        id, content);
+  };
+  const std::string high =
+      part("high", solid_2(polygon_2("p1", kGroundText), 1) + solid_2(polygon_2("p2", kRoofText)));
+  const std::string low = part("low", solid_2(polygon_2("q1", kRoofText), 1));
+  const std::string city = city_2(building_2("B", low + high) + building_2("C", solid_2("")) +
+                                  building_2("D", solid_2(polygon_2("d", kRoofText))));
+  const BuildingModel model = read(city);
+  EXPECT_THAT(ids_of(model), ElementsAre("q1", "p2", "d"));
+  EXPECT_EQ(model.buildings[0].lod, "2");
+  EXPECT_THAT(model.warnings,
+              Contains("1 of 3 buildings and parts is read in LoD 1 (most in LoD 2): low"));
+  EXPECT_THAT(ids_of(read(city, "1")), ElementsAre("q1", "p1"));
+  // Faces of the building itself in a lower level are an outline of the whole.
+  const std::string outline = solid_2(polygon_2("o", kGroundText), 1);
+  const BuildingModel parts = read(city_2(building_2("B", outline + high)));
+  EXPECT_THAT(ids_of(parts), ElementsAre("p2"));
+  EXPECT_THAT(parts.warnings, Contains(HasSubstr("left out, as the faces in LoD 1 repeat")));
+}
+
 TEST_F(CityGml, OpeningsAndInstallationsAreReadButDoNotDecideTheLevel) {
   const std::string window =
       "<b:opening><b:Window g:id=\"win\"><b:lod3MultiSurface><g:MultiSurface>" +

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/error.h"
-#include "io/models/lod.h"
 #include "io/models/read_model.h"
 #include "io/models/readers.h"
 #include "tests/support/paths.h"
@@ -122,13 +121,24 @@ TEST(CityJson, HighestLevelIsReadUnlessAnotherIsWanted) {
   EXPECT_EQ(read(document, {"3"}).faces.size(), 0U);
 }
 
-TEST(ChosenLod, IsTheHighestOfThoseWanted) {
-  EXPECT_EQ(chosen_lod({"0", "1.2", "2", "2.2", "4"}, ""), "2.2");
-  EXPECT_EQ(chosen_lod({"0", "1.2", "2", "2.2", "4"}, "2"), "2.2");
-  EXPECT_EQ(chosen_lod({"0", "1.2"}, ""), "1.2");
-  EXPECT_EQ(chosen_lod({"", "1.2"}, ""), "1.2");
-  EXPECT_EQ(chosen_lod({""}, ""), "");
-  EXPECT_EQ(chosen_lod({"12"}, "1"), std::nullopt);
+TEST(CityJson, EachPartIsReadInItsOwnHighestLevel) {
+  json document = house();
+  json& objects = document["CityObjects"];
+  const json box = {{"type", "MultiSurface"}, {"lod", "1.3"}, {"boundaries", {{{6, 9, 8, 7}}}}};
+  objects["whole"] = objects["h1"];
+  objects["whole"]["type"] = "BuildingPart";
+  objects["whole"]["parents"] = {"h1"};
+  objects["whole"]["geometry"].push_back(box);
+  objects["low"] = {{"type", "BuildingPart"}, {"parents", {"h1"}}, {"geometry", {box}}};
+  objects["h1"].erase("geometry");
+  const BuildingModel model = read(document);
+  EXPECT_EQ(model.buildings[0].lod, "2.2");
+  EXPECT_EQ(model.faces.size(), 8U);
+  EXPECT_THAT(model.warnings, testing::ElementsAre(HasSubstr("is read in LoD 1.3")));
+  EXPECT_THAT(model.warnings[0], HasSubstr(": low"));
+  EXPECT_EQ(read(document, {"2"}).faces.size(), 8U);
+  EXPECT_EQ(read(document, {"1.3"}).faces.size(), 2U);
+  EXPECT_THAT(read(document, {"1.3"}).warnings, testing::IsEmpty());
 }
 
 TEST(CityJson, NumbersAsLevelAndNoTransformAreOfVersion10) {

@@ -95,6 +95,19 @@ TEST_F(ModelFiles, WithoutFacesInTheWantedLevelAreRefused) {
   }
 }
 
+TEST_F(ModelFiles, KeepNoAttributeOfAnEarlierTimeThatHasNoNewValue) {
+  const std::vector<Column> columns{{"verdict", ColumnType::kText}, {"rms_m", ColumnType::kReal}};
+  const std::string text = folder_.read("a.json");
+  const auto first =
+      with_attributes("a.json", text, columns, {{"2", {{0, std::string("right")}, {1, 0.25}}}});
+  const auto second =
+      with_attributes("a.json", *first, columns, {{"2", {{0, std::string("gone")}}}});
+  const nlohmann::json attributes =
+      nlohmann::json::parse(*second)["CityObjects"]["2"]["attributes"];
+  EXPECT_EQ(attributes["verdict"], "gone");
+  EXPECT_FALSE(attributes.contains("rms_m"));
+}
+
 TEST_F(ModelFiles, TakeFurtherAttributesAndKeepAllElse) {
   const std::vector<Column> columns{{"verdict", ColumnType::kText}, {"rms_m", ColumnType::kReal}};
   const std::string text = folder_.read("a.json");
