@@ -89,7 +89,7 @@ class FactPrinter {
         fmt::print("{}: {}\n", path, kind.what.substr(2));
         return print_use(fmt::format("ridgeline block {} --out results", path));
       case io::FileGroup::kBlockFolder:
-        return print((std::filesystem::path(path) / io::kBlockFile).string());
+        return print(io::block_file_in(path));
       case io::FileGroup::kPatchFolder:
         return print_patches(path, kind, warnings_);
       case io::FileGroup::kOrientationFolder:

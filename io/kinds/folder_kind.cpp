@@ -155,6 +155,8 @@ std::vector<std::string> patch_files_in(const fs::path& folder) {
   return files;
 }
 
+std::string block_file_in(const fs::path& folder) { return (folder / "block.yaml").string(); }
+
 std::vector<std::string> orientations_in(const fs::path& folder) {
   constexpr int kDepth = 2;
   std::vector<std::string> files = orientation_files_of(folder);
@@ -174,10 +176,10 @@ FileKind kind_of_folder(const fs::path& folder) {
   if (const std::vector<std::string> patches = patch_files_in(folder); !patches.empty()) {
     return kind_of_patches(patches);
   }
-  if (is_there(folder / kBlockFile)) {
+  if (is_there(block_file_in(folder))) {
     return {.group = kBlockFolder,
             .what = "a folder with a block file",
-            .advice = fmt::format("give {} to block", (folder / kBlockFile).string())};
+            .advice = fmt::format("give {} to block", block_file_in(folder))};
   }
   const bool is_limap = std::ranges::any_of(names, [](const std::string& name) {
     return name.starts_with("track_") && name.ends_with(".txt");

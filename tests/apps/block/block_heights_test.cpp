@@ -42,7 +42,8 @@ TEST(BlockHeights, WithoutHeightsInAnAreaAreThoseOfTheBlockWhetherNodataIsStated
     EXPECT_EQ(heights.range_m(strip(5.0, 15.0)), kRange_m);
     EXPECT_EQ(heights.whole_range_m(), kRange_m);
     EXPECT_EQ(heights.warning().has_value(), !is_stated);
-    if (heights.warning()) EXPECT_THAT(*heights.warning(), HasSubstr("200 of 400 heights of "));
+    EXPECT_THAT(heights.warning().value_or("200 of 400 heights of "),
+                HasSubstr("200 of 400 heights of "));
   }
 }
 
