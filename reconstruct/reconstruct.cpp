@@ -201,13 +201,16 @@ const char* name(Matcher matcher) { return matcher == Matcher::kPairwise ? "pair
 
 void extract(std::span<View> views, const ExtractionOptions& options) {
   const auto extract_smoothed = [&](const View& seen, double gradient_sigma_px) {
-    const ImagePart image(seen.image, {seen.corner_px.x(), seen.corner_px.y()});
+    const ImagePart image(seen.image, {seen.corner_px.x(), seen.corner_px.y()},
+                          far_from_no_data(seen.is_valid));
     ExtractionOptions smoothed = options;
     smoothed.edges.gradient_sigma_px = gradient_sigma_px;
-    std::vector<EdgeSegment> segments =
-        extract_segments(image, seen.ideal_from_image, smoothed.edges, edge_refinement(smoothed));
-    remove_edges_of_no_data(segments, seen.is_valid);
-    return segments;
+    const EdgeRefinement refine = [&, beyond = edge_refinement(smoothed)](
+                                      std::vector<EdgeTrace> edges, const ImagePart& part) {
+      return edges_on_data(beyond(std::move(edges), part), part.has_data,
+                           smoothed.edges.min_length_px);
+    };
+    return extract_segments(image, seen.ideal_from_image, smoothed.edges, refine);
   };
   const double gradient_sigma_px = options.edges.gradient_sigma_px;
   tbb::parallel_for_each(views, [&](View& view) {

@@ -7,7 +7,25 @@
 namespace ridgeline::apps {
 
 BlockHeights::BlockHeights(const io::BlockFile& block) : block_(block) {
-  if (!block.height_range_m && !block.surface_model) read_sample();
+  if (block.height_range_m) {
+    all_m_ = *block.height_range_m;
+  } else if (block.surface_model) {
+    read_model();
+  } else {
+    read_sample();
+  }
+}
+
+void BlockHeights::read_model() {
+  constexpr double kEverywhere_m = 1e9;
+  const Eigen::AlignedBox2d area_m =
+      block_.area_m.empty() ? Eigen::AlignedBox2d(Eigen::Vector2d::Constant(-kEverywhere_m),
+                                                  Eigen::Vector2d::Constant(kEverywhere_m))
+                            : box_around(block_.area_m);
+  const io::SurfaceHeights model = model_heights(block_, area_m);
+  if (model.heights_m.empty()) refuse_model(block_, area_m);
+  all_m_ = height_range_m(model.heights_m);
+  warning_ = impossible_heights(block_, model.n_impossible, model.heights_m.size());
 }
 
 void BlockHeights::read_sample() {
@@ -21,11 +39,19 @@ void BlockHeights::read_sample() {
     heights_m.push_back(x.z());
   }
   all_m_ = height_range_m(heights_m);
+  warning_ = impossible_heights(block_, lidar.n_impossible, heights_m.size());
 }
 
-std::array<double, 2> BlockHeights::range_m(const Eigen::AlignedBox2d& area_m) const {
+std::optional<std::array<double, 2>> BlockHeights::range_m(
+    const Eigen::AlignedBox2d& area_m) const {
   if (block_.height_range_m) return *block_.height_range_m;
-  if (block_.surface_model) return height_range_m(model_heights_m(block_, corners_of(area_m)));
+  const std::vector<double> heights_m =
+      block_.surface_model ? model_heights(block_, area_m).heights_m : sampled_heights_m(area_m);
+  if (heights_m.empty()) return std::nullopt;
+  return height_range_m(heights_m);
+}
+
+std::vector<double> BlockHeights::sampled_heights_m(const Eigen::AlignedBox2d& area_m) const {
   std::vector<double> heights_m;
   const reconstruct::GridCell first = bins_.cell_of(area_m.min());
   const reconstruct::GridCell last = bins_.cell_of(area_m.max());
@@ -38,7 +64,7 @@ std::array<double, 2> BlockHeights::range_m(const Eigen::AlignedBox2d& area_m) c
       }
     }
   }
-  return heights_m.empty() ? all_m_ : height_range_m(heights_m);
+  return heights_m;
 }
 
 }  // namespace ridgeline::apps

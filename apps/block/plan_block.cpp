@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -91,22 +92,32 @@ std::vector<GridCell> squares_of(const PatchGrid& grid,
   return squares;
 }
 
-/// A square with its images; std::nullopt if fewer than two show it.
-std::optional<PlannedPatch> planned(const io::BlockFile& block,
-                                    const PatchGrid& grid,
-                                    const GridCell& cell,
-                                    const Eigen::AlignedBox2d& extent,
-                                    const BlockHeights& heights) {
+/// A square of the block and what is known about it.
+struct Square {
   PlannedPatch plan;
+  bool has_heights = true;  ///< of its own, otherwise those of the whole block
+  bool has_views = true;    ///< at least two; the plan is incomplete without
+};
+
+Square planned(const io::BlockFile& block,
+               const PatchGrid& grid,
+               const GridCell& cell,
+               const Eigen::AlignedBox2d& extent,
+               const BlockHeights& heights) {
+  Square square;
+  PlannedPatch& plan = square.plan;
   plan.cell = cell;
   plan.id = fmt::format("{}_{}", cell.column, cell.row);
   plan.core_m = grid.square(cell).intersection(extent);
   plan.area_m = grown(plan.core_m, block.overlap_m);
-  plan.height_range_m = heights.range_m(plan.area_m);
+  const std::optional<std::array<double, 2>> own_m = heights.range_m(plan.area_m);
+  square.has_heights = own_m.has_value();
+  plan.height_range_m = own_m.value_or(heights.whole_range_m());
   const SearchedPlace place{corners_of(plan.area_m), plan.height_range_m};
   const std::vector<io::PatchImage> images =
       best_images(block.images, block.max_views.value(), place);
-  if (images.size() < 2) return std::nullopt;
+  square.has_views = images.size() >= 2;
+  if (!square.has_views) return square;
   plan.images = transformed(images, &io::PatchImage::id);
   for (const io::PatchImage& image : images) {
     const Eigen::Vector2i size_px(image.interior.value().size_px.value());
@@ -116,7 +127,7 @@ std::optional<PlannedPatch> planned(const io::BlockFile& block,
   const TaskEstimate estimated = estimate_of_patch(plan.windows_mpx);
   plan.estimated_s = estimated.seconds;
   plan.estimated_mib = estimated.memory_mib;
-  return plan;
+  return square;
 }
 
 /// The values of a whole frame that map to 0 and 1, by band; empty for a uniformly grey frame.
@@ -140,6 +151,42 @@ std::vector<PlannedFrame> frames_of(const io::BlockFile& block,
     frames[i].radiometry = radiometry_of(frames[i].file.path);
   });
   return frames;
+}
+
+/// "3 of 25 squares (4_5, 4_6, 5_5)"; empty if none meets the condition.
+std::string named(const std::vector<Square>& squares, bool Square::*is_fine) {
+  constexpr std::size_t kNamed = 10;
+  std::vector<std::string> ids;
+  for (const Square& square : squares) {
+    if (!(square.*is_fine)) ids.push_back(square.plan.id);
+  }
+  if (ids.empty()) return "";
+  const std::size_t n = ids.size();
+  ids.resize(std::min(n, kNamed));
+  return fmt::format("{} of {} squares ({}{})", n, squares.size(), fmt::join(ids, ", "),
+                     n > kNamed ? ", ..." : "");
+}
+
+/// Warnings about squares without heights, and about those left out of the area that the block
+/// states.
+std::vector<std::string> warnings_of(const io::BlockFile& block,
+                                     const BlockHeights& heights,
+                                     const std::vector<Square>& squares) {
+  std::vector<std::string> warnings;
+  if (heights.warning()) warnings.push_back(*heights.warning());
+  if (const std::string names = named(squares, &Square::has_heights); !names.empty()) {
+    const auto& [low_m, high_m] = heights.whole_range_m();
+    warnings.push_back(fmt::format(
+        "{}: {} have no heights and are searched at those of the whole block, {:.1f} to {:.1f} m",
+        block.path, names, low_m, high_m));
+  }
+  if (const std::string names = named(squares, &Square::has_views);
+      !names.empty() && !block.area_m.empty()) {
+    warnings.push_back(
+        fmt::format("{}: {} of the area are shown by fewer than two images and are left out",
+                    block.path, names));
+  }
+  return warnings;
 }
 
 std::vector<std::string> warnings_of(const io::BlockFile& block) {
@@ -220,14 +267,15 @@ BlockPlan plan_block(const io::BlockFile& block, double max_image_mpx) {
   if (extent.isEmpty()) throw io::IoError(block.path, "no image shows the ground");
   plan.extent_m = extent;
   const PatchGrid grid = grid_of(plan);
-  const std::vector<GridCell> squares = squares_of(grid, extent, block.area_m);
-  std::vector<std::optional<PlannedPatch>> patches(squares.size());
+  const std::vector<GridCell> cells = squares_of(grid, extent, block.area_m);
+  std::vector<Square> squares(cells.size());
   tbb::parallel_for(std::size_t{0}, squares.size(), [&](std::size_t i) {
-    patches[i] = planned(block, grid, squares[i], extent, heights);
+    squares[i] = planned(block, grid, cells[i], extent, heights);
   });
-  for (std::optional<PlannedPatch>& patch : patches) {
-    if (patch) {
-      plan.patches.push_back(std::move(*patch));
+  std::ranges::move(warnings_of(block, heights, squares), std::back_inserter(plan.warnings));
+  for (Square& square : squares) {
+    if (square.has_views) {
+      plan.patches.push_back(std::move(square.plan));
     } else {
       ++plan.n_without_views;
     }

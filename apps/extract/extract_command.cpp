@@ -3,6 +3,7 @@
 #include "apps/common/say.h"
 #include "apps/common/shared_options.h"
 #include "apps/extract/segment_overlay.h"
+#include "apps/pipeline/black_border.h"
 #include "apps/pipeline/open_patch.h"
 #include "apps/pipeline/patch_scene.h"
 #include "evaluate/files/output_folder.h"
@@ -72,6 +73,7 @@ int run_extract(const ExtractArguments& a) {
   const PatchPicture picture = read_image(image, a.max_image_mpx);
   view.image = picture.image;
   view.is_valid = picture.is_valid;
+  if (const auto warning = black_border(image.path, view.image, view.is_valid)) warn_of({*warning});
   const std::vector<EdgeSegment> segments = reconstruct::extract(view, options);
   io::write_segments(a.out, segments);
   if (!a.overlay.empty()) {

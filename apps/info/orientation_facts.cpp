@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/info/orientation_facts.h"
 
-#include "apps/common/say.h"
 #include "apps/info/own_files.h"
 #include "apps/pipeline/image_points.h"
 #include "io/error.h"
+#include "io/kinds/folder_kind.h"
 #include "io/orientation/footprints.h"
 #include "io/orientation/option_words.h"
 #include "io/orientation/read_orientation.h"
@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <vector>
 
 namespace ridgeline::apps {
 namespace {
@@ -94,7 +95,9 @@ void write_map(const std::string& path,
 
 }  // namespace
 
-void print_orientation(const std::string& path, const OrientationArguments& arguments) {
+void print_orientation(const std::string& path,
+                       const OrientationArguments& arguments,
+                       InfoWarnings& warnings) {
   const io::Orientation orientation = io::read_orientation(path, options_of(path, arguments));
   fmt::print("{}: {}\n", path, orientation.format);
   print_images(orientation, image_folder(path, arguments));
@@ -106,9 +109,23 @@ void print_orientation(const std::string& path, const OrientationArguments& argu
   fmt::print("  crs         {}\n", crs_text(orientation.crs));
   for (const std::string& decision : orientation.decisions)
     fmt::print("  decided     {}\n", decision);
-  for (const std::string& warning : orientation.warnings)
-    answer(fmt::format("  warning     {}\n", warning));
+  for (const std::string& warning : orientation.warnings) warnings.add(path, warning);
   write_map(path, arguments, orientation);
+}
+
+void print_orientations(const std::string& folder,
+                        const io::FileKind& kind,
+                        OrientationArguments arguments,
+                        InfoWarnings& warnings) {
+  if (arguments.images.empty()) {
+    const std::filesystem::path images = std::filesystem::path(folder) / "images";
+    arguments.images = std::filesystem::is_directory(images) ? images.string() : folder;
+  }
+  const std::vector<std::string> files = io::orientations_in(folder);
+  if (files.size() == 1) return print_orientation(files.front(), arguments, warnings);
+  fmt::print("{}: {}\n", folder, kind.what.substr(2));
+  for (const std::string& file : files) fmt::print("  orientation {}\n", file);
+  print_use(fmt::format("ridgeline info {}", files.front()));
 }
 
 }  // namespace ridgeline::apps

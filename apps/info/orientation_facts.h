@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "apps/info/info_warnings.h"
+#include "io/kinds/file_kind.h"
+
 #include <optional>
 #include <string>
 
@@ -20,6 +23,15 @@ struct OrientationArguments {
 
 /// Prints the content of an orientation and the decisions made in reading it, and writes the map if
 /// requested. Throws IoError like io::read_orientation(), and if the map requires a ground height.
-void print_orientation(const std::string& path, const OrientationArguments& arguments);
+void print_orientation(const std::string& path,
+                       const OrientationArguments& arguments,
+                       InfoWarnings& warnings);
+
+/// Prints the orientation in a folder, or a list of them if there are several. Images are searched
+/// in the folder and in its subfolder `images`. Throws IoError like print_orientation().
+void print_orientations(const std::string& folder,
+                        const io::FileKind& kind,
+                        OrientationArguments arguments,
+                        InfoWarnings& warnings);
 
 }  // namespace ridgeline::apps

@@ -99,7 +99,7 @@ int run_match(MatchArguments a) {
   reconstruct::Scene scene = patch_scene(patch, patch_images(patch, a.max_image_mpx));
   warn_of(check_pairs(patch, scene, {&kPairOfPatch, 1}, a.max_y_parallax_px));
   reconstruct::extract(scene.views, a.options.extraction);
-  warn_of(unused_segments(patch, scene));
+  warn_of(image_warnings(patch, scene));
   const reconstruct::Matched matched = reconstruct::match_all(scene, {&kPairOfPatch, 1}, a.options);
   const reconstruct::PairMatches& result = matched.pairs.front();
   const std::vector<reconstruct::View>& views = scene.views;

@@ -3,15 +3,13 @@
 
 #include "io/cloud/cloud_files.h"
 #include "io/error.h"
-#include "io/gdal/surface_heights.h"
 #include "io/images/image.h"
 #include "reconstruct/geometry/plan_box.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
+#include <utility>
 
 namespace ridgeline::apps {
 namespace {
@@ -32,6 +30,18 @@ bool two_show(const std::vector<io::PatchImage>& images, const Eigen::Vector3d& 
            return px.x() >= 0.0 && px.y() >= 0.0 && px.x() < image.window->width &&
                   px.y() < image.window->height;
          });
+}
+
+std::vector<double> heights_of_model_m(const io::PatchFile& patch,
+                                       std::vector<std::string>& warnings) {
+  if (patch.area_m.empty())
+    throw io::IoError(patch.path, "height_range: auto with surface_model requires an area");
+  const Eigen::AlignedBox2d area_m = box_around(patch.area_m);
+  io::SurfaceHeights model = model_heights(patch, area_m);
+  if (model.heights_m.empty()) refuse_model(patch, area_m);
+  if (auto warning = impossible_heights(patch, model.n_impossible, model.heights_m.size()))
+    warnings.push_back(std::move(*warning));
+  return std::move(model.heights_m);
 }
 
 }  // namespace
@@ -70,10 +80,13 @@ LidarSample lidar_sample(const io::ProjectFile& project, double margin_m) {
                       Eigen::Vector3d(plan.max().x(), plan.max().y(), kFar_m)});
   }
   const io::PointCloud cloud = files.read_thinned(std::nullopt, kMaxPoints);
-  LidarSample lidar{{}, cloud.crs};
+  LidarSample lidar{{}, 0, cloud.crs};
   lidar.points_in_world.reserve(cloud.points.size());
   for (const io::CloudPoint& x : cloud.points)
     lidar.points_in_world.push_back(Eigen::Vector3d(x.x, x.y, x.z) + cloud.frame.origin_m);
+  lidar.n_impossible = std::erase_if(lidar.points_in_world, [](const Eigen::Vector3d& x) {
+    return !io::is_possible_height(x.z());
+  });
   return lidar;
 }
 
@@ -84,27 +97,42 @@ void refuse_lidar(const io::ProjectFile& project, const LidarSample& lidar, cons
                                 agreement.compatible ? "" : "; ", agreement.reason));
 }
 
-std::vector<double> model_heights_m(const io::ProjectFile& project,
-                                    const std::vector<Eigen::Vector2d>& area_m) {
-  if (area_m.empty()) {
-    throw io::IoError(project.path, "height_range: auto with surface_model requires an area");
-  }
-  const double unit_m = io::describe(project.crs).horizontal_unit_m;
-  Eigen::AlignedBox2d bounds = box_around(area_m);
-  bounds = {Eigen::Vector2d(bounds.min() / unit_m), Eigen::Vector2d(bounds.max() / unit_m)};
-  io::SurfaceHeights model = io::read_surface_heights(*project.surface_model, bounds);
-  const io::CrsAgreement agreement = io::compare(project.crs, model.crs);
-  if (!agreement.compatible) {
-    throw io::IoError(*project.surface_model,
-                      fmt::format("patch and surface model do not match: {}; transform one of them",
-                                  agreement.reason));
-  }
-  return std::move(model.heights_m);
+std::optional<std::string> impossible_heights(const io::ProjectFile& project,
+                                              std::size_t n_impossible,
+                                              std::size_t n_possible) {
+  if (n_impossible == 0) return std::nullopt;
+  return fmt::format(
+      "{}: height_range: auto: {} of {} heights of {} are below -500 m or above 9000 m and are "
+      "treated as missing",
+      project.path, n_impossible, n_impossible + n_possible,
+      project.surface_model ? *project.surface_model : "LIDAR points");
 }
 
-std::vector<double> area_heights_m(const io::PatchFile& patch) {
-  if (patch.surface_model) return model_heights_m(patch, patch.area_m);
+io::SurfaceHeights model_heights(const io::ProjectFile& project,
+                                 const Eigen::AlignedBox2d& area_m) {
+  const double unit_m = io::describe(project.crs).horizontal_unit_m;
+  const Eigen::AlignedBox2d bounds(Eigen::Vector2d(area_m.min() / unit_m),
+                                   Eigen::Vector2d(area_m.max() / unit_m));
+  io::SurfaceHeights model = io::read_surface_heights(*project.surface_model, bounds);
+  const io::CrsAgreement agreement = io::compare(project.crs, model.crs);
+  if (agreement.compatible) return model;
+  throw io::IoError(*project.surface_model,
+                    fmt::format("patch and surface model do not match: {}; transform one of them",
+                                agreement.reason));
+}
+
+void refuse_model(const io::ProjectFile& project, const Eigen::AlignedBox2d& area_m) {
+  throw io::IoError(
+      *project.surface_model,
+      fmt::format("has no heights within x {:.1f} .. {:.1f} m, y {:.1f} .. {:.1f} m",
+                  area_m.min().x(), area_m.max().x(), area_m.min().y(), area_m.max().y()));
+}
+
+std::vector<double> area_heights_m(const io::PatchFile& patch, std::vector<std::string>& warnings) {
+  if (patch.surface_model) return heights_of_model_m(patch, warnings);
   const LidarSample lidar = lidar_sample(patch);
+  if (auto warning = impossible_heights(patch, lidar.n_impossible, lidar.points_in_world.size()))
+    warnings.push_back(std::move(*warning));
   const bool has_area = !patch.area_m.empty();
   const std::vector<io::PatchImage> images =
       has_area ? std::vector<io::PatchImage>() : images_with_windows(patch);

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "io/gdal/surface_heights.h"
 #include "io/project/patch.h"
 
+#include <Eigen/Geometry>
+
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace ridgeline::apps {
@@ -21,7 +27,8 @@ std::array<double, 2> height_range_m(std::span<const double> heights_m);
 
 /// A sample of the LIDAR, at most 2 million points.
 struct LidarSample {
-  std::vector<Eigen::Vector3d> points_in_world;
+  std::vector<Eigen::Vector3d> points_in_world;  ///< with a possible height
+  std::size_t n_impossible = 0;                  ///< points with another height
   io::Crs crs;
 };
 
@@ -35,13 +42,22 @@ LidarSample lidar_sample(const io::ProjectFile& project, double margin_m = 0.0);
                                const LidarSample& lidar,
                                const char* where);
 
-/// The heights of the cells of the project's surface model within an area, m. Throws IoError for a
-/// model that cannot be read or has a different CRS, and if there is no area.
-std::vector<double> model_heights_m(const io::ProjectFile& project,
-                                    const std::vector<Eigen::Vector2d>& area_m);
+/// Warns about impossible heights (io::is_possible_height()), which are treated as missing.
+/// `n_possible`: the number of the other heights.
+std::optional<std::string> impossible_heights(const io::ProjectFile& project,
+                                              std::size_t n_impossible,
+                                              std::size_t n_possible);
+
+/// The cells of the project's surface model within an area. Throws IoError for a model that cannot
+/// be read or has a different CRS.
+io::SurfaceHeights model_heights(const io::ProjectFile& project, const Eigen::AlignedBox2d& area_m);
+
+/// Throws IoError: the surface model has no heights in an area.
+[[noreturn]] void refuse_model(const io::ProjectFile& project, const Eigen::AlignedBox2d& area_m);
 
 /// The heights from which `height_range: auto` of a patch is derived, m: those of surface model
-/// cells or LIDAR points, see decide_patch(). Throws IoError if there are none.
-std::vector<double> area_heights_m(const io::PatchFile& patch);
+/// cells or LIDAR points, see decide_patch(). Throws IoError if there are none, and for a surface
+/// model without an area.
+std::vector<double> area_heights_m(const io::PatchFile& patch, std::vector<std::string>& warnings);
 
 }  // namespace ridgeline::apps

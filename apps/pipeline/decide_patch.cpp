@@ -25,11 +25,11 @@ Texts ids_of(const std::vector<io::PatchImage>& images) {
 }
 
 /// The heights stated in the file; else those of the area, with a decision that reports them.
-std::array<double, 2> decided_heights_m(const io::PatchFile& file, Texts& decisions) {
+std::array<double, 2> decided_heights_m(const io::PatchFile& file, io::Patch& patch) {
   if (file.height_range_m) return *file.height_range_m;
-  const std::vector<double> heights_m = area_heights_m(file);
+  const std::vector<double> heights_m = area_heights_m(file, patch.warnings);
   const auto range_m = height_range_m(heights_m);
-  decisions.push_back(fmt::format(
+  patch.decisions.push_back(fmt::format(
       "{}: height_range: auto is {:.1f} to {:.1f} m, the range of {} {} with a margin of {:g} m",
       file.path, range_m[0], range_m[1], heights_m.size(),
       file.surface_model ? "cells of the surface model" : "LIDAR points", kHeightMargin_m));
@@ -145,7 +145,7 @@ io::Patch decide_patch(const io::PatchFile& file) {
   io::Patch patch{static_cast<const io::Project&>(file)};
   patch.reference_matches = file.reference_matches;
   patch.reference_tracks = file.reference_tracks;
-  patch.height_range_m = decided_heights_m(file, patch.decisions);
+  patch.height_range_m = decided_heights_m(file, patch);
   const SearchedPlace place{file.area_m, patch.height_range_m};
   if (file.max_views) {
     patch.images = chosen_images(file, place, patch.decisions);

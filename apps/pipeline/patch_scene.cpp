@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/pipeline/patch_scene.h"
 
+#include "apps/pipeline/black_border.h"
 #include "io/images/image.h"
 #include "io/project/segments_file.h"
 #include "reconstruct/scene/normalised_image.h"
@@ -8,8 +9,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <future>
+#include <optional>
 #include <utility>
 
 namespace ridgeline::apps {
@@ -29,6 +32,18 @@ std::vector<EdgeSegment> own_segments(const io::PatchImage& image) {
     if (is_read(segment.in_image, image)) segments.push_back(segment);
   }
   return segments;
+}
+
+std::optional<std::string> unused_segments(const io::PatchImage& image,
+                                           const reconstruct::View& view) {
+  if (!image.segments) return std::nullopt;
+  const std::size_t n = io::read_own_segments(*image.segments, image.segment_sigma_px).size();
+  const std::size_t n_used = extracted(view.segments).size();
+  if (n_used == n) return std::nullopt;
+  return fmt::format(
+      "{}: {} of {} segments are ignored: they lie outside the window, next to pixels without "
+      "data, or where the lens distortion is unknown; ids of results count the remaining ones",
+      *image.segments, n - n_used, n);
 }
 
 }  // namespace
@@ -73,18 +88,15 @@ reconstruct::Scene patch_scene(const io::Patch& patch, const std::vector<PatchPi
   return scene;
 }
 
-std::vector<std::string> unused_segments(const io::Patch& patch, const reconstruct::Scene& scene) {
+std::vector<std::string> image_warnings(const io::Patch& patch, const reconstruct::Scene& scene) {
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < patch.images.size(); ++i) {
-    const io::PatchImage& image = patch.images[i];
-    if (!image.segments) continue;
-    const std::size_t n = io::read_own_segments(*image.segments, image.segment_sigma_px).size();
-    const std::size_t n_used = extracted(scene.views[i].segments).size();
-    if (n_used == n) continue;
-    warnings.push_back(fmt::format(
-        "{}: {} of {} segments are ignored: they lie outside the window, next to pixels without "
-        "data, or where the lens distortion is unknown; ids of results count the remaining ones",
-        *image.segments, n - n_used, n));
+    const reconstruct::View& view = scene.views[i];
+    for (std::optional<std::string>& warning :
+         std::array{black_border(patch.images[i].path, view.image, view.is_valid),
+                    unused_segments(patch.images[i], view)}) {
+      if (warning) warnings.push_back(std::move(*warning));
+    }
   }
   return warnings;
 }

@@ -37,9 +37,10 @@ reconstruct::View view_of(const io::PatchImage& image, const LocalFrame& frame);
 reconstruct::Scene patch_scene(const io::Patch& patch,
                                const std::vector<PatchPicture>& images = {});
 
-/// Warnings about unused segments of another detector: their midpoint lies outside the window that
-/// is read, or completed_own_segments() leaves them out.
-std::vector<std::string> unused_segments(const io::Patch& patch, const reconstruct::Scene& scene);
+/// Warnings about the images of a scene whose segments were extracted: black_border(), and unused
+/// segments of another detector, whose midpoint lies outside the window that is read or which
+/// completed_own_segments() leaves out.
+std::vector<std::string> image_warnings(const io::Patch& patch, const reconstruct::Scene& scene);
 
 /// The names of the segment files of an image in the folder of a run: edges_file() contains the
 /// extracted segments, segments_file() also those found during matching.

@@ -60,7 +60,7 @@ py::dict lines_of(const io::Patch& patch, const reconstruct::Options& options, c
                           options.estimation.lines.max_aligned_angle_deg);
     std::ranges::move(apps::notes_on(patch), std::back_inserter(set.warnings));
     std::ranges::move(doubts, std::back_inserter(set.warnings));
-    std::ranges::move(apps::unused_segments(patch, found.scene), std::back_inserter(set.warnings));
+    std::ranges::move(apps::image_warnings(patch, found.scene), std::back_inserter(set.warnings));
     return set;
   }));
 }

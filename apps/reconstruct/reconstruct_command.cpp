@@ -92,7 +92,7 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::Patch& patch,
   reconstruct::Scene scene = patch_scene(patch, patch_images(patch, a.max_image_mpx));
   warn_of(check_matched_pairs(patch, scene, a.options, a.max_y_parallax_px));
   find_segments(patch, a, scene);
-  if (a.matches.empty()) warn_of(unused_segments(patch, scene));
+  if (a.matches.empty()) warn_of(image_warnings(patch, scene));
   const reconstruct::Matched found = find_matches(scene, a);
   if (a.options.estimation.lines.method == reconstruct::Method::kPlanes &&
       std::ranges::none_of(found.pairs, [](const auto& p) { return p.surface.has_value(); })) {

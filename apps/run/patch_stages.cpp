@@ -215,7 +215,7 @@ void PatchStages::extract() {
   const std::vector<std::string> files = edge_files();
   for (std::size_t i = 0; i < files.size(); ++i)
     io::write_segments(path(files[i]), scene_.views[i].segments);
-  record_.add_warnings(unused_segments(patch_, scene_));
+  record_.add_warnings(image_warnings(patch_, scene_));
 }
 
 /// Writes points of the base pair's surface, or removes the file of an earlier run if there is no

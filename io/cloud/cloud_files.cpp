@@ -7,6 +7,7 @@
 #include "io/cloud/common_crs.h"
 #include "io/error.h"
 #include "io/files/mapped_file.h"
+#include "io/files/shared_warnings.h"
 #include "reconstruct/geometry/check.h"
 
 #include <fmt/format.h>
@@ -240,6 +241,7 @@ std::optional<PointCloud> CloudFiles::read_files(std::optional<PlanMask> near,
   for (File& file : files_) {
     if (!append(file, filter, max_points, cloud)) return std::nullopt;
   }
+  cloud.warnings = shared_warnings(cloud.warnings);
   return cloud;
 }
 

@@ -42,7 +42,7 @@ struct PointCloud {
   LocalFrame frame;
   Crs crs;
   std::vector<CloudPoint> points;
-  std::vector<std::string> warnings;  ///< "PATH: ...", in file order
+  std::vector<std::string> warnings;  ///< see shared_warnings()
   /// Metres per unit of the files' coordinates, already applied to the points: 1 unless the CRS
   /// is in feet.
   double horizontal_unit_m = 1.0;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string_view>
 #include <tuple>
 
 namespace ridgeline::io {
@@ -54,6 +55,14 @@ GDALDatasetUniquePtr open_vectors(const std::string& path, const QuietGdal& quie
   return dataset;
 }
 
+/// GDAL takes a GeoJSON without `crs` to be in WGS 84, as RFC 7946 says. Programs that use the
+/// older format also omit `crs` for coordinates in metres.
+bool is_beyond_degrees(const std::vector<Eigen::Vector2d>& points) {
+  return std::ranges::any_of(points, [](const Eigen::Vector2d& x) {
+    return std::abs(x.x()) > 180.0 || std::abs(x.y()) > 90.0;
+  });
+}
+
 }  // namespace
 
 std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
@@ -92,6 +101,9 @@ PolygonOutline read_polygon_outline(const std::string& path) {
                     "has polygon layers with different reference systems; use a single layer");
     outline.crs = crs;
   }
+  const bool is_geojson = dataset->GetDriver()->GetDescription() == std::string_view("GeoJSON");
+  if (is_geojson && describe(outline.crs).is_geographic && is_beyond_degrees(points))
+    outline.crs = {};
   if (!std::ranges::all_of(points, [](const Eigen::Vector2d& x) { return x.allFinite(); }))
     throw IoError(path, "has a polygon with non-finite coordinates");
   outline.corners = convex_hull(std::move(points));

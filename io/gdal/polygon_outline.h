@@ -14,7 +14,8 @@ namespace ridgeline::io {
 struct PolygonOutline {
   std::vector<Eigen::Vector2d>
       corners;  ///< of the convex hull of all polygons, counter-clockwise, in units of the CRS
-  Crs crs;
+  Crs crs;  ///< unknown for a GeoJSON in degrees, which is also the default, whose coordinates are
+            ///< not in degrees
 };
 
 /// The convex hull of points in plan, counter-clockwise, without points on its sides; fewer than

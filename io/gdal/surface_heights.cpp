@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 
 namespace ridgeline::io {
@@ -44,6 +45,28 @@ std::array<int, 2> cells_within(double origin, double step, double low, double h
   return {inside(std::ceil(std::min(a, b))), inside(std::floor(std::max(a, b)) + 1.0)};
 }
 
+struct Cells {
+  int column = 0, row = 0;    ///< of the first one
+  int width = 0, height = 0;  ///< more than 0
+};
+
+/// The values of cells, or of evenly distributed ones if there are many.
+template <typename T>
+std::vector<T> values_of(GDALRasterBand& band,
+                         const Cells& cells,
+                         GDALDataType type,
+                         const std::string& path,
+                         const QuietGdal& quiet) {
+  constexpr int kMaxSide_px = 2000;
+  const int width = std::min(cells.width, kMaxSide_px);
+  const int height = std::min(cells.height, kMaxSide_px);
+  std::vector<T> values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  if (band.RasterIO(GF_Read, cells.column, cells.row, cells.width, cells.height, values.data(),
+                    width, height, type, 0, 0, nullptr) != CE_None)
+    throw IoError(path, "cannot be decoded: " + quiet.complaints("its cells are damaged"));
+  return values;
+}
+
 }  // namespace
 
 std::vector<std::string> files_beside_surface_model(const std::string& path) {
@@ -56,8 +79,13 @@ std::vector<std::string> files_beside_surface_model(const std::string& path) {
   return beside;
 }
 
+bool is_possible_height(double height_m) {
+  constexpr double kLowest_m = -500.0;  // the shore of the Dead Sea is at -440 m
+  constexpr double kHighest_m = 9000.0;
+  return height_m >= kLowest_m && height_m <= kHighest_m;
+}
+
 SurfaceHeights read_surface_heights(const std::string& path, const Eigen::AlignedBox2d& bounds) {
-  constexpr int kMaxSide_px = 2000;
   const QuietGdal quiet;
   const GDALDatasetUniquePtr dataset = open_raster(path, quiet);
   std::array<double, 6> t{};  // x = t0 + t1 column + t2 row, y = t3 + t4 column + t5 row
@@ -68,27 +96,24 @@ SurfaceHeights read_surface_heights(const std::string& path, const Eigen::Aligne
       cells_within(t[0], t[1], bounds.min().x(), bounds.max().x(), dataset->GetRasterXSize());
   const auto rows =
       cells_within(t[3], t[5], bounds.min().y(), bounds.max().y(), dataset->GetRasterYSize());
-  const int width = columns[1] - columns[0];
-  const int height = rows[1] - rows[0];
-  SurfaceHeights found{{}, crs_of(dataset->GetSpatialRef())};
+  SurfaceHeights found{{}, 0, crs_of(dataset->GetSpatialRef())};
+  const CrsFacts crs = describe(found.crs);
+  const double unit_m = crs.vertical_name.empty() ? 1.0 : crs.vertical_unit_m;
+  const Cells cells{columns[0], rows[0], columns[1] - columns[0], rows[1] - rows[0]};
+  if (cells.width <= 0 || cells.height <= 0) return found;
   GDALRasterBand& band = *dataset->GetRasterBand(1);
-  if (width > 0 && height > 0) {
-    const int read_width = std::min(width, kMaxSide_px);
-    const int read_height = std::min(height, kMaxSide_px);
-    std::vector<double> cells(static_cast<std::size_t>(read_width) *
-                              static_cast<std::size_t>(read_height));
-    if (band.RasterIO(GF_Read, columns[0], rows[0], width, height, cells.data(), read_width,
-                      read_height, GDT_Float64, 0, 0, nullptr) != CE_None)
-      throw IoError(path, "cannot be decoded: " + quiet.complaints("its cells are damaged"));
-    int has_no_data = 0;
-    const double no_data = band.GetNoDataValue(&has_no_data);
-    for (const double z : cells)
-      if (std::isfinite(z) && !(has_no_data != 0 && z == no_data)) found.heights_m.push_back(z);
+  const std::vector<double> heights = values_of<double>(band, cells, GDT_Float64, path, quiet);
+  const std::vector<std::uint8_t> is_stated =
+      values_of<std::uint8_t>(*band.GetMaskBand(), cells, GDT_Byte, path, quiet);
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    if (is_stated[i] == 0 || std::isnan(heights[i])) continue;
+    const double height_m = unit_m * heights[i];
+    if (is_possible_height(height_m)) {
+      found.heights_m.push_back(height_m);
+    } else {
+      ++found.n_impossible;
+    }
   }
-  if (found.heights_m.empty())
-    throw IoError(
-        path, fmt::format("has no heights within x {:.1f} .. {:.1f}, y {:.1f} .. {:.1f}",
-                          bounds.min().x(), bounds.max().x(), bounds.min().y(), bounds.max().y()));
   return found;
 }
 

@@ -3,6 +3,7 @@
 
 #include "io/error.h"
 #include "io/images/open_image.h"
+#include "io/images/sample_places.h"
 #include "io/images/tiff_tag.h"
 
 #include <fmt/format.h>
@@ -20,9 +21,6 @@ namespace ridgeline::io {
 namespace {
 
 constexpr double kMega = 1e6;
-
-/// Side of the blocks of Picture::sample.
-constexpr int kSampleBlock_px = 64;
 
 Window whole_of(int width_px, int height_px) { return {0, 0, width_px, height_px}; }
 
@@ -64,6 +62,9 @@ class OpenImage {
   OpenImage(const std::string& path, const ImageSession& session)
       : path_(path), session_(session), dataset_(session.open(path)) {
     facts_ = facts_of(path, *dataset_);
+    for (int number = 1; number <= dataset_->GetRasterCount(); ++number) {
+      if (!facts_.alpha || number != facts_.alpha->number) bands_.push_back(number);
+    }
   }
 
   [[nodiscard]] const ImageFacts& facts() const { return facts_; }
@@ -75,12 +76,13 @@ class OpenImage {
     cv::Mat image(window.height / factor, window.width / factor,
                   CV_MAKETYPE(depth, facts_.n_bands));
     const auto band_step = static_cast<GSpacing>(image.elemSize1());
+    std::vector<int> bands = bands_;  // GDAL requires a non-const list
     GDALRasterIOExtraArg means;
     INIT_RASTERIO_EXTRA_ARG(means);
     means.eResampleAlg = GRIORA_Average;
     const CPLErr error = dataset_->RasterIO(
         GF_Read, window.column, window.row, window.width, window.height, image.data, image.cols,
-        image.rows, facts_.bits == 8 ? GDT_Byte : GDT_UInt16, facts_.n_bands, nullptr,
+        image.rows, facts_.bits == 8 ? GDT_Byte : GDT_UInt16, facts_.n_bands, bands.data(),
         band_step * facts_.n_bands, static_cast<GSpacing>(image.step[0]), band_step, &means);
     if (error != CE_None) session_.fail_to_decode(path_);
     return image;
@@ -88,16 +90,11 @@ class OpenImage {
 
   /// Mask of the pixels with data; empty if all of them have data.
   [[nodiscard]] cv::Mat is_valid(const Window& window, const cv::Mat& pixels) const {
-    cv::Mat valid;
-    for (int number = 1; number <= facts_.n_bands; ++number) {
-      GDALRasterBand& band = *dataset_->GetRasterBand(number);
-      const int flags = band.GetMaskFlags();
-      if ((flags & GMF_PER_DATASET) != 0 && (flags & GMF_ALPHA) == 0) return mask(window, band);
-      if ((flags & GMF_NODATA) == 0) return {};
-      cv::Mat of_band;
-      cv::extractChannel(pixels, of_band, number - 1);
-      of_band = of_band != band.GetNoDataValue();
-      valid = valid.empty() ? of_band : valid | of_band;
+    cv::Mat valid = is_stated_valid(window, pixels);
+    if (facts_.alpha) {
+      GDALRasterBand& alpha = *dataset_->GetRasterBand(facts_.alpha->number);
+      const cv::Mat is_opaque = values(window, alpha, GDT_UInt16) == facts_.alpha->opaque;
+      valid = valid.empty() ? is_opaque : valid & is_opaque;
     }
     return cv::countNonZero(valid) == static_cast<int>(valid.total()) ? cv::Mat() : valid;
   }
@@ -107,7 +104,7 @@ class OpenImage {
   [[nodiscard]] cv::Mat sample(const cv::Mat& whole) const {
     cv::Mat valid_ones;
     cv::Mat all;
-    for (const Window& place : sample_places()) {
+    for (const Window& place : sample_places({facts_.width_px, facts_.height_px})) {
       const cv::Rect area(place.column, place.row, place.width, place.height);
       const cv::Mat block = whole.empty() ? pixels(place) : whole(area).clone();
       const cv::Mat list = block.reshape(0, static_cast<int>(block.total()));
@@ -136,12 +133,30 @@ class OpenImage {
   }
 
  private:
-  [[nodiscard]] cv::Mat mask(const Window& window, GDALRasterBand& band) const {
-    cv::Mat valid(window.height, window.width, CV_8UC1);
-    const CPLErr error = band.GetMaskBand()->RasterIO(
-        GF_Read, window.column, window.row, window.width, window.height, valid.data, window.width,
-        window.height, GDT_Byte, 1, static_cast<GSpacing>(valid.step[0]), nullptr);
+  /// The values of a band, as GDT_Byte or GDT_UInt16.
+  [[nodiscard]] cv::Mat values(const Window& window, GDALRasterBand& band, GDALDataType as) const {
+    cv::Mat pixels(window.height, window.width, as == GDT_Byte ? CV_8UC1 : CV_16UC1);
+    const CPLErr error = band.RasterIO(GF_Read, window.column, window.row, window.width,
+                                       window.height, pixels.data, window.width, window.height, as,
+                                       0, static_cast<GSpacing>(pixels.step[0]), nullptr);
     if (error != CE_None) session_.fail_to_decode(path_);
+    return pixels;
+  }
+
+  /// The mask by the file's own mask or its nodata values; empty without either.
+  [[nodiscard]] cv::Mat is_stated_valid(const Window& window, const cv::Mat& pixels) const {
+    cv::Mat valid;
+    for (int i = 0; i < facts_.n_bands; ++i) {
+      GDALRasterBand& band = *dataset_->GetRasterBand(bands_[static_cast<std::size_t>(i)]);
+      const int flags = band.GetMaskFlags();
+      if ((flags & GMF_PER_DATASET) != 0 && (flags & GMF_ALPHA) == 0)
+        return values(window, *band.GetMaskBand(), GDT_Byte) != 0;
+      if ((flags & GMF_NODATA) == 0) return {};
+      cv::Mat of_band;
+      cv::extractChannel(pixels, of_band, i);
+      of_band = of_band != band.GetNoDataValue();
+      valid = valid.empty() ? of_band : valid | of_band;
+    }
     return valid;
   }
 
@@ -157,37 +172,11 @@ class OpenImage {
     return static_cast<int>(std::min(*rows, static_cast<std::uint64_t>(facts_.height_px)));
   }
 
-  /// At most 256 blocks, evenly distributed over the image; all of a small image.
-  [[nodiscard]] std::vector<Window> sample_places() const {
-    constexpr int kPerSide = 16;
-    constexpr int kMaxPixels = kPerSide * kSampleBlock_px * kPerSide * kSampleBlock_px;
-    const Window whole = whole_of(facts_.width_px, facts_.height_px);
-    if (pixels_of(whole) <= kMaxPixels) return {whole};
-    const int n_columns = std::clamp(facts_.width_px / kSampleBlock_px, 1, kPerSide);
-    const int n_rows = std::clamp(facts_.height_px / kSampleBlock_px, 1, kPerSide);
-    std::vector<Window> places;
-    for (int row = 0; row < n_rows; ++row) {
-      for (int column = 0; column < n_columns; ++column) {
-        places.push_back({place(column, n_columns, facts_.width_px),
-                          place(row, n_rows, facts_.height_px),
-                          std::min(kSampleBlock_px, facts_.width_px),
-                          std::min(kSampleBlock_px, facts_.height_px)});
-      }
-    }
-    return places;
-  }
-
-  /// The first pixel of block i of n in a row of blocks. It is a multiple of the block size, so
-  /// that a block lies within one tile of the file, whose sides are also multiples of that size.
-  static int place(int i, int n, int size_px) {
-    const int first = static_cast<int>((i + 0.5) / n * size_px) - kSampleBlock_px / 2;
-    return std::max(0, first / kSampleBlock_px * kSampleBlock_px);
-  }
-
   const std::string& path_;
   const ImageSession& session_;
   GDALDatasetUniquePtr dataset_;
   ImageFacts facts_;
+  std::vector<int> bands_;  ///< numbers of the bands of colours
 };
 
 }  // namespace

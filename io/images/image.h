@@ -12,13 +12,20 @@
 
 namespace ridgeline::io {
 
+/// The band of an image that states which pixels are transparent.
+struct AlphaBand {
+  int number = 0;            ///< from 1
+  std::uint16_t opaque = 0;  ///< its value where the image has data
+};
+
 /// What the header of an image file states.
 struct ImageFacts {
   std::string format;  ///< "GTiff" | "PNG" | "JPEG" | "JP2OpenJPEG"
   int width_px = 0;    ///< as stored
   int height_px = 0;
-  int n_bands = 0;
-  int bits = 0;  ///< per band, 8 or 16
+  int n_bands = 0;  ///< without `alpha`
+  int bits = 0;     ///< per band, 8 or 16
+  std::optional<AlphaBand> alpha{};
   ImageTurn turn =
       ImageTurn::kNone;  ///< stated by the file; applied only if ImageReading requests it
 };
@@ -34,10 +41,11 @@ constexpr double kDefaultMaxImage_mpx = 400.0;
 constexpr double kFreeImage_mpx = 4.0;
 constexpr double kMaxPixelsPerByte = 10.0;
 
-/// Reads the header of a TIFF, GeoTIFF, PNG, JPEG or JPEG 2000; decodes nothing. Throws IoError for
-/// a missing file, another format, a folder, device or pipe, and for images that read_image() does
-/// not support: bands that are not all 8-bit or all 16-bit unsigned, more than 4 bands, a colour
-/// table, CMYK, 12-bit JPEG in TIFF.
+/// Reads the header of a TIFF, GeoTIFF, PNG, JPEG or JPEG 2000; decodes nothing but a sample of a
+/// band that is declared as alpha. Throws IoError for a missing file, another format, a folder,
+/// device or pipe, and for images that read_image() does not support: bands that are not all 8-bit
+/// or all 16-bit unsigned, more than 4 bands besides alpha, a colour table, CMYK, 12-bit JPEG in
+/// TIFF.
 ImageFacts image_facts(const std::string& path);
 
 /// Refuses a window (unset: the whole image) that is too large to be decoded. `max_mpx`: the user's
@@ -56,7 +64,8 @@ struct ImageReading {
   double max_mpx = 0.0;               ///< see check_image_size()
 };
 
-/// Pixels are CV_8UC(n) or CV_16UC(n), n = 1..4, bands in file order, values as stored.
+/// Pixels are CV_8UC(n) or CV_16UC(n), n = 1..4, bands in file order without alpha, values as
+/// stored.
 struct Picture {
   cv::Mat pixels;
   cv::Mat is_valid;  ///< CV_8UC1, 0 where the file states that there is no data; empty if all
@@ -69,10 +78,10 @@ struct Picture {
 
 /// Reads an image or a window of it. Only the blocks that are needed are decoded, if the format
 /// allows it; see slow_reading(). Georeference and overviews are not read; files next to the image
-/// are neither read nor written. A pixel has no data if a mask in the file marks it so, or if all
-/// its bands have their nodata values. Throws IoError under the same conditions as image_facts()
-/// and check_image_size(), for fewer than 2 x 2 pixels, for a window that is not within the image,
-/// and for pixels that cannot be decoded, including those of a truncated file.
+/// are neither read nor written. A pixel has no data if a mask in the file marks it so, if all its
+/// bands have their nodata values, or if it is not opaque. Throws IoError under the same conditions
+/// as image_facts() and check_image_size(), for fewer than 2 x 2 pixels, for a window that is not
+/// within the image, and for pixels that cannot be decoded, including those of a truncated file.
 Picture read_picture(const std::string& path, const ImageReading& reading = {});
 
 /// The pixels of a whole image as stored.

@@ -2,6 +2,7 @@
 #include "io/images/open_image.h"
 
 #include "io/error.h"
+#include "io/images/alpha_band.h"
 #include "io/images/stated_turn.h"
 #include "io/kinds/recognise.h"
 
@@ -112,12 +113,15 @@ ImageFacts facts_of(const std::string& path, GDALDataset& dataset) {
                    .height_px = dataset.GetRasterYSize(),
                    .n_bands = dataset.GetRasterCount(),
                    .bits = 0,
+                   .alpha = alpha_band(dataset),
                    .turn = stated_turn(path, dataset)};
+  const int n_stored = facts.n_bands;
+  if (facts.alpha) --facts.n_bands;
   if (facts.n_bands < 1 || facts.n_bands > 4) {
     throw IoError(path, fmt::format("has {} bands; must be 1 to 4", facts.n_bands));
   }
   require_known_colours(path, dataset);
-  for (int number = 1; number <= facts.n_bands; ++number) {
+  for (int number = 1; number <= n_stored; ++number) {
     GDALRasterBand& band = *dataset.GetRasterBand(number);
     const int bits = bits_of(path, band, number);
     if (number > 1 && bits != facts.bits) {

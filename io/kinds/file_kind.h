@@ -31,7 +31,9 @@ enum class FileGroup : std::uint8_t {
   kResult,       ///< another file of a results folder
   kResultFolder,
   kPatchFolder,
-  kLineFolder,  ///< LIMAP tracks
+  kBlockFolder,
+  kOrientationFolder,  ///< of a project of another program
+  kLineFolder,         ///< LIMAP tracks
   kFolder,
   kOther  ///< recognised, but never read
 };

@@ -2,12 +2,14 @@
 #include "io/kinds/folder_kind.h"
 
 #include "io/kinds/marks.h"
+#include "io/kinds/recognise.h"
 #include "io/text/text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <system_error>
 
 namespace ridgeline::io {
@@ -80,6 +82,58 @@ FileKind kind_of_patches(const std::vector<std::string>& files) {
           .advice = fmt::format("give {}{} to run", files.front(), files.size() > 1 ? " ..." : "")};
 }
 
+bool is_folder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+/// The files of a folder that are an orientation. Files that their name shows to be clouds or
+/// images are not opened.
+std::vector<std::string> orientation_files_of(const fs::path& folder) {
+  constexpr std::size_t kMaxOpened = 200;
+  std::vector<std::string> files;
+  std::size_t n_opened = 0;
+  for (const std::string& name : names_in(folder)) {
+    const FileGroup by_name =
+        kind_by_extension(lower_case(fs::path(name).extension().string())).group;
+    if (by_name == kImage || by_name == kCloud || is_folder(folder / name)) continue;
+    if (++n_opened > kMaxOpened) break;
+    const std::string path = (folder / name).string();
+    if (kind_of_content(beginning_of(path), path).group == kOrientation) files.push_back(path);
+  }
+  return files;
+}
+
+/// The orientations of subfolders, by name.
+std::vector<std::string> orientations_below(const fs::path& folder, int depth) {
+  constexpr std::size_t kMaxFolders = 200;
+  std::vector<std::string> found;
+  std::size_t n_folders = 0;
+  for (const std::string& name : names_in(folder)) {
+    const fs::path inner = folder / name;
+    if (!is_folder(inner)) continue;
+    if (++n_folders > kMaxFolders) break;
+    if (holds_colmap(inner)) found.push_back(inner.string());
+    for (const std::string& file : names_in(inner)) {
+      if (file == "reconstruction.json" || file.ends_with("_calibrated_camera_parameters.txt"))
+        found.push_back((inner / file).string());
+    }
+    if (depth > 1)
+      std::ranges::copy(orientations_below(inner, depth - 1), std::back_inserter(found));
+  }
+  return found;
+}
+
+/// A folder with orientations; unknown without.
+FileKind kind_of_orientations(const fs::path& folder) {
+  const std::vector<std::string> files = orientations_in(folder);
+  if (files.empty()) return {};
+  return {.group = kOrientationFolder,
+          .what = files.size() == 1 ? "a folder with an orientation"
+                                    : fmt::format("a folder with {} orientations", files.size()),
+          .advice = fmt::format("name {} as orientation in a patch file", files.front())};
+}
+
 FileKind kind_of_contents(const std::vector<std::string>& names) {
   const std::string found = contents(names);
   if (found.empty())
@@ -101,6 +155,14 @@ std::vector<std::string> patch_files_in(const fs::path& folder) {
   return files;
 }
 
+std::string block_file_in(const fs::path& folder) { return (folder / "block.yaml").string(); }
+
+std::vector<std::string> orientations_in(const fs::path& folder) {
+  constexpr int kDepth = 2;
+  std::vector<std::string> files = orientation_files_of(folder);
+  return files.empty() ? orientations_below(folder, kDepth) : files;
+}
+
 FileKind kind_of_folder(const fs::path& folder) {
   const std::vector<std::string> names = names_in(folder);
   if (holds_results(folder, names)) {
@@ -113,6 +175,11 @@ FileKind kind_of_folder(const fs::path& folder) {
   }
   if (const std::vector<std::string> patches = patch_files_in(folder); !patches.empty()) {
     return kind_of_patches(patches);
+  }
+  if (is_there(block_file_in(folder))) {
+    return {.group = kBlockFolder,
+            .what = "a folder with a block file",
+            .advice = fmt::format("give {} to block", block_file_in(folder))};
   }
   const bool is_limap = std::ranges::any_of(names, [](const std::string& name) {
     return name.starts_with("track_") && name.ends_with(".txt");
@@ -132,7 +199,8 @@ FileKind kind_of_folder(const fs::path& folder) {
             .what = "an Esri file geodatabase",
             .advice = "save its lines as GeoPackage"};
   }
-  return kind_of_contents(names);
+  const FileKind orientations = kind_of_orientations(folder);
+  return orientations.is_known() ? orientations : kind_of_contents(names);
 }
 
 }  // namespace ridgeline::io

@@ -27,7 +27,8 @@ std::vector<Eigen::Vector2d> corners_of_bounds(const YamlMap& patch) {
 
 std::vector<Eigen::Vector2d> area_of_patch(const YamlMap& patch,
                                            const std::filesystem::path& folder,
-                                           const Crs& crs) {
+                                           const Crs& crs,
+                                           std::vector<std::string>& warnings) {
   if (!patch.has("area")) return {};
   if (!patch.node("area").IsScalar()) return corners_of_bounds(patch);
   const std::string path = (folder / patch.text("area")).lexically_normal().string();
@@ -36,6 +37,11 @@ std::vector<Eigen::Vector2d> area_of_patch(const YamlMap& patch,
   if (!agreement.compatible) {
     throw IoError(path, fmt::format("patch and area do not match: {}; transform one of them",
                                     agreement.reason));
+  }
+  if (crs.known() && !outline.crs.known()) {
+    warnings.push_back(fmt::format("{}: states no reference system; assuming that of the {}, {}",
+                                   path, patch.has("block") ? "block" : "patch",
+                                   describe(crs).name));
   }
   const double unit_m = describe(crs).horizontal_unit_m;
   return transformed(outline.corners,

@@ -195,7 +195,7 @@ class PatchReader {
   }
 
   void read_area(ProjectFile& project) const {
-    project.area_m = area_of_patch(map_, folder_, project.crs);
+    project.area_m = area_of_patch(map_, folder_, project.crs, project.warnings);
     if (map_.has("area") && map_.node("area").IsScalar())
       project.area_file = resolved(map_.text("area"));
     if (!map_.has("max_views")) return;

@@ -30,7 +30,7 @@ std::vector<EdgeSegment> completed_own_segments(const View& view) {
     set_flanks(view.image, segment);
     segments.push_back(segment);
   }
-  remove_edges_of_no_data(segments, view.is_valid);
+  remove_edges_of_no_data(segments, far_from_no_data(view.is_valid));
   return segments;
 }
 

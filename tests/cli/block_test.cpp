@@ -231,5 +231,83 @@ TEST_F(Block, WrongStepsAndFilesAreRefused) {
                  HasSubstr("is a patch file"));
 }
 
+/// Plans with a surface model in place of the LIDAR for the heights.
+class BlockOfModel : public Block {
+ protected:
+  [[nodiscard]] ProgramResult plan(const std::string& model, const std::string& out) const {
+    write(path("patch/dsm.asc"), model);
+    std::string text = read(path("patch/block.yaml"));
+    const std::string key = "height_range: auto\n";
+    text.replace(text.find(key), key.size(), key + "surface_model: dsm.asc\n");
+    write(path("patch/model.yaml"), text);
+    return run({"block", "patch/model.yaml", "--out", out, "--plan"});
+  }
+
+  void expect_all_squares(const std::string& out) const {
+    const nlohmann::json plan = read_json(path(out + "/plan.json"));
+    ASSERT_EQ(plan["patches"].size(), 4U);
+    for (const nlohmann::json& patch : plan["patches"]) {
+      EXPECT_GT(patch["height_range_m"][0], 200.0);
+      EXPECT_LT(patch["height_range_m"][1], 400.0);
+    }
+  }
+};
+
+/// Cells of 2 m around the area; those in the west have a value.
+std::string model_with_west(const std::string& west) {
+  std::string text = "ncols 60\nnrows 60\nxllcorner 512980\nyllcorner 5402980\ncellsize 2\n";
+  for (int row = 0; row < 60; ++row) {
+    for (int column = 0; column < 60; ++column) text += (column < 29 ? west : "255") + " ";
+    text += "\n";
+  }
+  return text;
+}
+
+TEST_F(BlockOfModel, SquaresWithoutHeightsAreSearchedAtThoseOfTheBlockAndNamed) {
+  const ProgramResult result = plan(model_with_west("-9999"), "out");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, AllOf(HasSubstr("are below -500 m or above 9000 m"),
+                                HasSubstr("2 of 4 squares (25650_270150, 25650_270151) have no "
+                                          "heights and are searched at those of the whole block")));
+  expect_all_squares("out");
+}
+
+TEST_F(BlockOfModel, ReportedSurfaceLosesNoSquares) {
+  const fs::path folder = shared_data("reported_2/56-surface-without-nodata");
+  if (!fs::exists(folder)) GTEST_SKIP() << folder << " is not there";
+  const ProgramResult unstated = plan(read(folder / "dsm_unstated.asc"), "unstated");
+  ASSERT_EQ(unstated.exit_code, 0) << unstated.err;
+  EXPECT_THAT(unstated.err, HasSubstr("are below -500 m or above 9000 m"));
+  expect_all_squares("unstated");
+  const ProgramResult stated = plan(read(folder / "dsm_ok.asc"), "stated");
+  ASSERT_EQ(stated.exit_code, 0) << stated.err;
+  EXPECT_THAT(stated.err, AllOf(Not(HasSubstr("below -500 m")), HasSubstr("have no heights")));
+  expect_all_squares("stated");
+}
+
+TEST_F(Block, SquaresOfTheAreaThatNoTwoFramesShowAreNamed) {
+  std::string text = read(path("patch/block.yaml"));
+  const std::string frames_show = "5403044]";
+  text.replace(text.find(frames_show), frames_show.size(), "5403604]");
+  write(path("patch/far.yaml"), text);
+  const ProgramResult result = run({"block", "patch/far.yaml", "--out", "out", "--plan"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("of the area are shown by fewer than two images"));
+}
+
+/// A GeoJSON without `crs` whose coordinates are no degrees.
+TEST_F(Block, AreaWithoutAReferenceSystemIsInThatOfTheBlock) {
+  const fs::path folder = shared_data("reported_2/55-area-without-crs");
+  if (!fs::exists(folder)) GTEST_SKIP() << folder << " is not there";
+  fs::copy(folder / "area.geojson", path("patch/area.geojson"));
+  std::string text = read(path("patch/block.yaml"));
+  text.replace(text.find(area()), area().size(), "area.geojson");
+  write(path("patch/file.yaml"), text);
+  const ProgramResult result = run({"block", "patch/file.yaml", "--out", "out", "--plan"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("area.geojson: states no reference system; assuming that of "
+                                    "the block, ETRS89 / UTM zone 32N"));
+}
+
 }  // namespace
 }  // namespace ridgeline::cli

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/images/image.h"
+#include "io/project/segments_file.h"
 #include "tests/cli/cli_fixture.h"
 
 #include <opencv2/core.hpp>
@@ -6,9 +8,12 @@
 #include <opencv2/imgproc.hpp>
 #include <sys/stat.h>
 
+#include <array>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <thread>
+#include <vector>
 
 namespace ridgeline::cli {
 namespace {
@@ -51,6 +56,65 @@ TEST_F(ExtractCommand, AnImageWithoutTextureHasNoSegments) {
   const auto result = run({"extract", "flat.png", "--out", "segments.csv"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.out, HasSubstr(": 0 segments"));
+}
+
+/// A square on a turned frame, with black or transparent pixels around the frame.
+cv::Mat turned_frame(bool is_transparent) {
+  cv::Mat frame(300, 300, CV_8UC4, cv::Scalar(0, 0, 0, is_transparent ? 0 : 255));
+  const auto fill = [&](double half_px, int grey) {
+    const cv::RotatedRect turned({150.0F, 150.0F}, cv::Size2f(2 * half_px, 2 * half_px), 20.0F);
+    std::array<cv::Point2f, 4> corners;
+    turned.points(corners.data());
+    const std::vector<cv::Point> outline(corners.begin(), corners.end());
+    cv::fillConvexPoly(frame, outline, cv::Scalar(grey, grey, grey, 255));
+  };
+  fill(100.0, 90);
+  fill(30.0, 180);
+  if (is_transparent) return frame;
+  cv::cvtColor(frame, frame, cv::COLOR_BGRA2BGR);
+  return frame;
+}
+
+TEST_F(ExtractCommand, TransparentBorderGivesNoSegments) {
+  ASSERT_TRUE(cv::imwrite(path("frame.png").string(), turned_frame(true)));
+  const auto result = run({"extract", "frame.png", "--out", "segments.csv"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("3 bands: 4 segments"));
+  EXPECT_EQ(result.err, "");
+}
+
+TEST_F(ExtractCommand, BlackBorderIsNamed) {
+  ASSERT_TRUE(cv::imwrite(path("frame.png").string(), turned_frame(false)));
+  const auto result = run({"extract", "frame.png", "--out", "segments.csv"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("3 bands: 8 segments"));
+  EXPECT_THAT(result.err, HasSubstr("frame.png: 56 % is black and connected to the border"));
+}
+
+TEST_F(ExtractCommand, ReportedFramesHaveNoSegmentsAtTheirBorder) {
+  const std::filesystem::path folder = shared_data("reported_2/40-transparent-border");
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not there";
+  for (const char* const name : {"rgba.tif", "nodata.tif"}) {
+    SCOPED_TRACE(name);
+    const std::string image = (folder / name).string();
+    const auto result = run({"extract", image, "--out", "segments.csv", "--overwrite"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("3 bands"));
+    cv::Mat is_inside;
+    cv::erode(io::read_picture(image).is_valid, is_inside, cv::Mat::ones(9, 9, CV_8UC1));
+    const auto segments = io::read_segments(path("segments.csv").string());
+    EXPECT_GT(segments.size(), 5U);
+    for (const EdgeSegment& segment : segments) {
+      for (const Eigen::Vector2d& end : {segment.in_image.start, segment.in_image.end}) {
+        const cv::Point pixel(static_cast<int>(std::lround(end.x())),
+                              static_cast<int>(std::lround(end.y())));
+        EXPECT_NE(is_inside.at<std::uint8_t>(pixel), 0) << end.transpose();
+      }
+    }
+  }
+  EXPECT_THAT(run({"extract", (folder / "black.tif").string(), "--out", "s.csv"}).err,
+              HasSubstr("is black and connected to the border of the image"));
+  EXPECT_EQ(run({"extract", (folder / "plain.tif").string(), "--out", "p.csv"}).err, "");
 }
 
 TEST_F(ExtractCommand, RefusesWrongInput) {

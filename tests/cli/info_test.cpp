@@ -21,6 +21,10 @@ class Info : public Cli {
   }
 };
 
+std::string oriented(const std::string& name) {
+  return test::source_dir() + "/tests/io/orientation/fixtures/" + name;
+}
+
 #define EXPECT_TOLD(result, matcher)                      \
   do {                                                    \
     const ::ridgeline::cli::ProgramResult& r_ = (result); \
@@ -133,10 +137,54 @@ TEST_F(Info, TellsAFolderOfPatches) {
                                           HasSubstr("patch       2: all/2/patch.yaml, 2 images")));
 }
 
+TEST_F(Info, ShowsEveryFileEvenIfOneCannotBeRead) {
+  write(path("a.zip"), "PK\x03\x04");
+  const ProgramResult result =
+      run({"info", "missing.las", "scene/lidar.las", "a.zip", "scene/truth.geojson"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, AllOf(HasSubstr("scene/lidar.las: LAS 1.4"),
+                                HasSubstr("scene/truth.geojson: GeoJSON")));
+  EXPECT_THAT(result.err, AllOf(HasSubstr("missing.las: does not exist"),
+                                HasSubstr("a.zip: is a ZIP archive")));
+}
+
+TEST_F(Info, SaysAWarningOfSeveralFilesOnce) {
+  for (const char* name : {"a.obj", "b.obj", "c.obj"}) write(path(name), "v 1 2 3\n");
+  const ProgramResult one = run({"info", "a.obj"});
+  EXPECT_TOLD(one, HasSubstr("  warning     has no lines"));
+  const ProgramResult several = run({"info", "a.obj", "b.obj", "scene/lidar.las", "c.obj"});
+  EXPECT_TOLD(several, HasSubstr("warning: a.obj and 2 more files: has no lines"));
+  EXPECT_EQ(several.out.find("has no lines"), several.out.rfind("has no lines"));
+}
+
+TEST_F(Info, TellsABlockByItsFolder) {
+  write(path("flight/block.yaml"), "block: village\norientation: opk.csv\n");
+  EXPECT_TOLD(run({"info", "flight"}), HasSubstr("ridgeline block flight/block.yaml --out"));
+}
+
+TEST_F(Info, TellsTheOrientationOfAProjectFolder) {
+  fs::create_directories(path("project/opensfm"));
+  fs::create_directories(path("project/images"));
+  fs::copy(oriented("opensfm.json"), path("project/opensfm/reconstruction.json"));
+  EXPECT_TOLD(run({"info", "project"}),
+              AllOf(HasSubstr("project/opensfm/reconstruction.json: OpenSfM"),
+                    HasSubstr("of them in project/images")));
+}
+
+TEST_F(Info, TellsTheOrientationOfRealProjectFolders) {
+  for (const auto& [folder, told] :
+       {std::pair("boruszyn", "boruszyn/colmap: COLMAP"), std::pair("orientations/pix4d", "Pix4D"),
+        std::pair("drone_odm", "a folder with 2 orientations")}) {
+    const fs::path there = shared_data(folder);
+    if (!fs::exists(there)) GTEST_SKIP() << there << " is not there";
+    EXPECT_TOLD(run({"info", there.string()}), HasSubstr(told));
+  }
+}
+
 TEST_F(Info, RefusesOtherKindsWithThoseThatItKnows) {
   EXPECT_REFUSED(info("a.zip", "PK\x03\x04"),
                  AllOf(HasSubstr("a.zip: is a ZIP archive, unpack it; supported are point clouds"),
-                       HasSubstr("patch folders and results folders")));
+                       HasSubstr("folders of patches, blocks, orientations and results")));
   EXPECT_REFUSED(info("a.unheard", "words"), HasSubstr("is of an unknown kind; supported are"));
   EXPECT_REFUSED(info("a.dat", ""), HasSubstr("is an empty file; supported are"));
   EXPECT_REFUSED(run({"info", "scene"}), HasSubstr("is a folder with 1 cloud and "));
@@ -162,10 +210,6 @@ TEST_F(Info, BytesAtRandomAreRefusedByEveryReader) {
   }
   // an OBJ may hold statements of any other tool
   EXPECT_TOLD(info("noise.obj", noise), HasSubstr("has no lines"));
-}
-
-std::string oriented(const std::string& name) {
-  return test::source_dir() + "/tests/io/orientation/fixtures/" + name;
 }
 
 TEST_F(Info, TellsAnOrientationAndDrawsItsPlan) {

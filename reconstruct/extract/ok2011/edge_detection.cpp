@@ -89,7 +89,7 @@ GradientImage gradient_image(const ImagePart& part, const ExtractOptions& option
     // image.
     colour_gradient(image(all[i]), options.gradient_sigma_px).copyTo(gradient(all[i]));
   });
-  return {gradient, NoiseGrid(gradient, kMinNoise, part.corner_px)};
+  return {gradient, NoiseGrid(gradient, kMinNoise, part.corner_px, part.has_data)};
 }
 
 std::vector<EdgePixel> detected_edge_pixels(const cv::Mat& image,

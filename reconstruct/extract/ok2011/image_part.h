@@ -12,9 +12,14 @@ namespace ridgeline::reconstruct {
 struct ImagePart {
   cv::Mat pixels;         ///< CV_32FC(n) from normalised_image() or stretched_image(), n = 1..4
   cv::Point corner_px{};  ///< position of its first pixel in the frame
+  /// CV_8UC1, 0 for pixels without data and those whose gradient they affect; empty if there are
+  /// none.
+  cv::Mat has_data{};
 
-  ImagePart(cv::Mat image, const cv::Point& corner = {})  // NOLINT(google-explicit-constructor)
-      : pixels(std::move(image)), corner_px(corner) {}
+  ImagePart(cv::Mat image,  // NOLINT(google-explicit-constructor)
+            const cv::Point& corner = {},
+            cv::Mat data = {})
+      : pixels(std::move(image)), corner_px(corner), has_data(std::move(data)) {}
 };
 
 }  // namespace ridgeline::reconstruct

@@ -7,20 +7,38 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+
 namespace ridgeline::reconstruct {
 namespace {
 
 /// Median of a Rayleigh distribution with sigma 1.
 constexpr float kRayleighMedian = 1.1774F;
 
-float median_strength(const cv::Mat& gradient) {
+constexpr float kUnknown = -1.0F;
+
+/// The median strength of the pixels with data; kUnknown if there are none.
+float median_strength(const cv::Mat& gradient, const cv::Mat& has_data) {
   std::vector<float> squares;
   squares.reserve(gradient.total());
   for (int y = 0; y < gradient.rows; ++y) {
     const auto* row = gradient.ptr<cv::Vec2f>(y);
-    for (int x = 0; x < gradient.cols; ++x) squares.push_back(row[x].dot(row[x]));
+    for (int x = 0; x < gradient.cols; ++x) {
+      if (has_data.empty() || has_data.at<std::uint8_t>(y, x) != 0)
+        squares.push_back(row[x].dot(row[x]));
+    }
   }
-  return std::sqrt(upper_median(std::move(squares)));
+  return squares.empty() ? kUnknown : std::sqrt(upper_median(std::move(squares)));
+}
+
+void fill_unknown(float lowest, cv::Mat& blocks) {
+  std::vector<float> known;
+  std::ranges::copy_if(cv::Mat_<float>(blocks), std::back_inserter(known),
+                       [](float noise) { return noise != kUnknown; });
+  if (known.size() == blocks.total()) return;
+  blocks.setTo(known.empty() ? lowest : upper_median(std::move(known)), blocks == kUnknown);
 }
 
 /// The block whose centre is before a pixel, the next block, and the weight of the next block.
@@ -52,7 +70,10 @@ float between(const cv::Mat& blocks, const GridPosition& column, const GridPosit
 
 }  // namespace
 
-NoiseGrid::NoiseGrid(const cv::Mat& gradient, float lowest, const cv::Point& corner_px)
+NoiseGrid::NoiseGrid(const cv::Mat& gradient,
+                     float lowest,
+                     const cv::Point& corner_px,
+                     const cv::Mat& has_data)
     : in_block_(place_in_block(corner_px.x), place_in_block(corner_px.y)) {
   const cv::Point end = in_block_ + cv::Point(gradient.size());
   blocks_.create((end.y + kBlock_px - 1) / kBlock_px, (end.x + kBlock_px - 1) / kBlock_px,
@@ -61,9 +82,13 @@ NoiseGrid::NoiseGrid(const cv::Mat& gradient, float lowest, const cv::Point& cor
   tbb::parallel_for(0, static_cast<int>(blocks_.total()), [&](int i) {
     const cv::Point block(i % blocks_.cols, i / blocks_.cols);
     const cv::Rect area(block * kBlock_px - in_block_, cv::Size(kBlock_px, kBlock_px));
+    const cv::Rect seen = area & whole;
+    const float strength =
+        median_strength(gradient(seen), has_data.empty() ? has_data : has_data(seen));
     blocks_.at<float>(block) =
-        std::max(lowest, median_strength(gradient(area & whole)) / kRayleighMedian);
+        strength == kUnknown ? kUnknown : std::max(lowest, strength / kRayleighMedian);
   });
+  fill_unknown(lowest, blocks_);
 }
 
 float NoiseGrid::at(int x, int y) const {

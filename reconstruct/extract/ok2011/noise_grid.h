@@ -16,8 +16,12 @@ class NoiseGrid {
   /// `gradient`: CV_32FC2. No value is below `lowest`, which represents the quantisation of the
   /// grey values in flat areas. `corner_px`: the position of the first pixel in the frame from
   /// which the image is cut; blocks begin at the corner of the frame, so that two windows of one
-  /// frame have the same blocks.
-  NoiseGrid(const cv::Mat& gradient, float lowest, const cv::Point& corner_px = {});
+  /// frame have the same blocks. `has_data`: ImagePart::has_data; blocks without data have the
+  /// median of all others.
+  NoiseGrid(const cv::Mat& gradient,
+            float lowest,
+            const cv::Point& corner_px = {},
+            const cv::Mat& has_data = {});
 
   /// The strength at a pixel of the image; it is constant beyond the centres of the outer blocks.
   [[nodiscard]] float at(int x, int y) const;

@@ -40,20 +40,40 @@ TEST(AreaHeights, AreThoseOfTheLidarWithinTheArea) {
   const io::TempFolder folder;
   io::PatchFile patch = patch_on_slope(folder);
   patch.area_m = {{20.0, 10.0}, {60.0, 10.0}, {60.0, 90.0}, {20.0, 90.0}};
-  const std::vector<double> heights_m = area_heights_m(patch);
+  std::vector<std::string> warnings;
+  const std::vector<double> heights_m = area_heights_m(patch, warnings);
+  EXPECT_TRUE(warnings.empty());
   constexpr double kRounding_m = 1e-6;
   EXPECT_NEAR(height_range_m(heights_m)[0], 52.0 - kHeightMargin_m, kRounding_m);
   EXPECT_NEAR(height_range_m(heights_m)[1], 56.0 + kHeightMargin_m, kRounding_m);
   EXPECT_EQ(heights_m.size(), 41U * 81U);
   patch.area_m = {{20.0, 10.0}, {60.0, 10.0}, {20.0, 50.0}};  // a triangle
-  EXPECT_EQ(area_heights_m(patch).size(), 41U * 42U / 2U);
+  EXPECT_EQ(area_heights_m(patch, warnings).size(), 41U * 42U / 2U);
 }
 
 TEST(AreaHeights, WithoutAPointInTheAreaAreAnError) {
   const io::TempFolder folder;
   io::PatchFile patch = patch_on_slope(folder);
   patch.area_m = {{1000.0, 0.0}, {1100.0, 0.0}, {1100.0, 100.0}};
-  EXPECT_THROW((void)area_heights_m(patch), io::IoError);
+  std::vector<std::string> warnings;
+  EXPECT_THROW((void)area_heights_m(patch, warnings), io::IoError);
+}
+
+TEST(AreaHeights, ThatNoSurfaceHasAreLeftOutAndCounted) {
+  const io::TempFolder folder;
+  io::PatchFile patch = patch_on_slope(folder);
+  std::string points = folder.read("lidar.xyz");
+  for (int i = 0; i < 300; ++i)
+    points += fmt::format("{} 20 {}\n", i % 100, i < 100 ? -9999 : 99999);
+  patch.lidar = {folder.write("lidar.xyz", points)};
+  patch.area_m = {{0.0, 0.0}, {100.0, 0.0}, {100.0, 100.0}, {0.0, 100.0}};
+  std::vector<std::string> warnings;
+  constexpr double kRounding_m = 1e-6;
+  EXPECT_NEAR(height_range_m(area_heights_m(patch, warnings))[0], 50.0 - kHeightMargin_m,
+              kRounding_m);
+  EXPECT_THAT(warnings, testing::ElementsAre(testing::HasSubstr(
+                            "patch.yaml: height_range: auto: 300 of 10300 heights of LIDAR points "
+                            "are below -500 m or above 9000 m")));
 }
 
 }  // namespace

@@ -38,6 +38,22 @@ TEST(PolygonOutline, IsTheHullOfAllPolygonsOfAFile) {
   EXPECT_THAT(describe(outline.crs).name, HasSubstr("UTM zone 32N"));
 }
 
+/// RFC 7946 knows no other system than WGS 84, but files in metres without `crs` are common.
+TEST(PolygonOutline, OfAGeoJsonWithoutCrsIsInDegreesOnlyIfItCanBe) {
+  const TempFolder folder;
+  const auto crs_of_square = [&](const std::string& low, const std::string& high) {
+    const std::string ring = "[[" + low + "," + low + "],[" + high + "," + low + "],[" + high +
+                             "," + high + "],[" + low + "," + low + "]]";
+    const std::string text =
+        R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[)" + ring +
+        "]}}";
+    return read_polygon_outline(folder.write("area.geojson", text)).crs;
+  };
+  EXPECT_FALSE(crs_of_square("5000", "5100").known());
+  EXPECT_FALSE(crs_of_square("-20", "91").known());
+  EXPECT_TRUE(describe(crs_of_square("49", "50")).is_geographic);
+}
+
 TEST(PolygonOutline, IsRefusedWithoutAnArea) {
   const TempFolder folder;
   for (const char* geometry : {R"({"type":"LineString","coordinates":[[0,0],[4,0],[4,4]]})",

@@ -38,6 +38,33 @@ TEST(KindOfFolder, CountsWhatElseLiesInIt) {
   EXPECT_EQ(kind_of_files({}).what, "an empty folder");
 }
 
+TEST(KindOfFolder, TellsABlock) {
+  EXPECT_EQ(kind_of_files({"block.yaml", "frames/a.tif"}).group, FileGroup::kBlockFolder);
+  EXPECT_EQ(kind_of_files({"block.yaml", "table2.json"}).group, FileGroup::kResultFolder);
+}
+
+TEST(KindOfFolder, TellsProjectsOfOtherToolsByTheirOrientation) {
+  for (const char* const file :
+       {"opensfm/reconstruction.json", "params/a_calibrated_camera_parameters.txt",
+        "1_initial/params/a_calibrated_camera_parameters.txt"}) {
+    EXPECT_EQ(kind_of_files({file, "images/a.jpg"}).group, FileGroup::kOrientationFolder) << file;
+  }
+  EXPECT_EQ(kind_of_files({"sparse/0/cameras.bin", "sparse/0/images.bin"}).what,
+            "a folder with an orientation");
+}
+
+TEST(OrientationsIn, AreFilesRecognisedByTheirContentElseThoseOfSubfolders) {
+  const TempFolder folder;
+  const std::string below = folder.write("opensfm/reconstruction.json", "");
+  EXPECT_THAT(orientations_in(folder.file("")), ElementsAre(below));
+  const std::string table =
+      folder.write("poses.csv", "name,x,y,z,omega,phi,kappa\na,1,2,3,4,5,6\n");
+  (void)folder.write("words.txt", "no orientation\n");
+  EXPECT_THAT(orientations_in(folder.file("")), ElementsAre(table));
+  EXPECT_EQ(kind_of_folder(folder.file("")).advice,
+            "name " + table + " as orientation in a patch file");
+}
+
 TEST(PatchFilesIn, AreThatOfTheFolderOrThoseOfItsSubfolders) {
   const TempFolder folder;
   const std::string second = folder.write("2/patch.yaml", "");

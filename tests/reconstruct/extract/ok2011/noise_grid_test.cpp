@@ -33,6 +33,21 @@ TEST(NoiseGrid, IsNeverBelowTheLowest) {
   EXPECT_EQ(NoiseGrid(quarters(0.0F, 0.0F), 0.002F).at(60, 60), 0.002F);
 }
 
+TEST(NoiseGrid, DisregardsPixelsWithoutData) {
+  constexpr float kRayleighMedian = 1.1774F;
+  constexpr float kFloat = 1e-5F;  // rounding of single precision
+  cv::Mat gradient = quarters(0.1F, 0.1F).rowRange(0, 2 * NoiseGrid::kBlock_px).clone();
+  cv::Mat has_data(gradient.size(), CV_8UC1, cv::Scalar(255));
+  const int n_black = 3 * NoiseGrid::kBlock_px / 2;  // a block and most of the next one
+  gradient.colRange(0, n_black + 10).setTo(0.0);
+  has_data.colRange(0, n_black + 10).setTo(0);
+  const NoiseGrid noise(gradient, 0.0F, {}, has_data);
+  for (const int x : {0, 40, n_black, 250})
+    EXPECT_NEAR(noise.at(x, 60), 0.1F / kRayleighMedian, kFloat);
+  const NoiseGrid nowhere(gradient, 0.002F, {}, cv::Mat::zeros(gradient.size(), CV_8UC1));
+  EXPECT_EQ(nowhere.at(60, 60), 0.002F);
+}
+
 TEST(NoiseGrid, OfAnAreaIsThatOfItsPixels) {
   const NoiseGrid noise(quarters(0.1F, 0.3F), 0.0F);
   const cv::Rect area(50, 40, 180, 150);
