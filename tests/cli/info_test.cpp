@@ -149,11 +149,12 @@ TEST_F(Info, ShowsEveryFileEvenIfOneCannotBeRead) {
 }
 
 TEST_F(Info, SaysAWarningOfSeveralFilesOnce) {
-  for (const char* name : {"a.obj", "b.obj", "c.obj"}) write(path(name), "v 1 2 3\n");
-  const ProgramResult one = run({"info", "a.obj"});
-  EXPECT_TOLD(one, HasSubstr("  warning     has no lines"));
-  const ProgramResult several = run({"info", "a.obj", "b.obj", "scene/lidar.las", "c.obj"});
-  EXPECT_TOLD(several, HasSubstr("warning: a.obj and 2 more files: has no lines"));
+  const char* const empty = R"({"type":"FeatureCollection","features":[]})";
+  for (const char* name : {"a.geojson", "b.geojson", "c.geojson"}) write(path(name), empty);
+  EXPECT_TOLD(run({"info", "a.geojson"}), HasSubstr("  warning     has no lines"));
+  const ProgramResult several =
+      run({"info", "a.geojson", "b.geojson", "scene/lidar.las", "c.geojson"});
+  EXPECT_TOLD(several, HasSubstr("warning: a.geojson and 2 more files: has no lines"));
   EXPECT_EQ(several.out.find("has no lines"), several.out.rfind("has no lines"));
 }
 
@@ -174,7 +175,7 @@ TEST_F(Info, TellsTheOrientationOfAProjectFolder) {
 TEST_F(Info, TellsTheOrientationOfRealProjectFolders) {
   for (const auto& [folder, told] :
        {std::pair("boruszyn", "boruszyn/colmap: COLMAP"), std::pair("orientations/pix4d", "Pix4D"),
-        std::pair("drone_odm", "a folder with 2 orientations")}) {
+        std::pair("drone_odm", "drone_odm: folder with 2 orientations")}) {
     const fs::path there = shared_data(folder);
     if (!fs::exists(there)) GTEST_SKIP() << there << " is not there";
     EXPECT_TOLD(run({"info", there.string()}), HasSubstr(told));
