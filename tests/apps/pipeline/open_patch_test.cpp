@@ -15,9 +15,9 @@ namespace {
 constexpr const char* kTwoImages =
     "id: 7\ncrs: EPSG:25832\nheight_range: [0, 20]\nimages:\n"
     "  - {id: a, path: a.tif, projection_matrix: "
-    "[[8000,0,-20,-8016000],[0,-8000,-15,16012000],[0,0,-1,800]]}\n"
+    "[[8000,0,-20,-4104016000],[0,-8000,-15,43216012000],[0,0,-1,800]]}\n"
     "  - {id: b, path: b.tif, projection_matrix: "
-    "[[8000,0,-20,-8416000],[0,-8000,-15,16012000],[0,0,-1,800]]}\n";
+    "[[8000,0,-20,-4104416000],[0,-8000,-15,43216012000],[0,0,-1,800]]}\n";
 
 class OpenPatch : public testing::Test {
  protected:
@@ -36,7 +36,7 @@ TEST_F(OpenPatch, HasItsHeightsItsFrameAndTheCrsOfTheUser) {
   write_images();
   const io::Patch patch = open_patch(file_, {.assume_crs = {"EPSG:25833"}});
   EXPECT_EQ(patch.height_range_m, (std::array{0.0, 20.0}));
-  EXPECT_EQ(patch.frame.origin_m, Eigen::Vector3d(1000.0, 2000.0, 0.0));
+  EXPECT_EQ(patch.frame.origin_m, Eigen::Vector3d(513000.0, 5402000.0, 0.0));
   EXPECT_EQ(patch.crs.definition, "EPSG:25833");
   EXPECT_FALSE(patch.images_are_chosen);
 }
@@ -51,7 +51,7 @@ TEST_F(OpenPatch, SaysWhatWasDecidedBeforeItFails) {
 
 TEST_F(OpenPatch, IsReadWithoutItsImages) {
   const io::Patch patch = read_patch(file_);
-  EXPECT_EQ(patch.frame.origin_m, Eigen::Vector3d(1000.0, 2000.0, 0.0));
+  EXPECT_EQ(patch.frame.origin_m, Eigen::Vector3d(513000.0, 5402000.0, 0.0));
   EXPECT_EQ(patch.images.size(), 2U);
 }
 
