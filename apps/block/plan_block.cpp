@@ -216,6 +216,7 @@ void read_sizes(io::BlockFile& block) {
 io::BlockFile read_block(const std::string& path) {
   const std::string absolute = std::filesystem::absolute(path).lexically_normal().string();
   io::BlockFile block = io::read_block_file(absolute, find_points_in_files);
+  check_positions(block);
   read_sizes(block);
   return block;
 }

@@ -2,6 +2,7 @@
 #include "apps/pipeline/check_patch.h"
 
 #include "io/cloud/read_cloud.h"
+#include "io/crs/area_of_use.h"
 #include "io/crs/grid_scale.h"
 #include "io/error.h"
 #include "io/images/image.h"
@@ -9,6 +10,7 @@
 #include "io/text/json_text.h"
 #include "io/text/text.h"
 #include "reconstruct/geometry/epipolar.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/Dense>
 #include <fmt/core.h>
@@ -19,6 +21,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <stdexcept>
 #include <string>
 
 namespace ridgeline::apps {
@@ -181,6 +184,23 @@ std::vector<results::InputFile> input_files(const io::Patch& patch) {
 
 std::vector<results::InputFile> input_files(const io::BlockFile& block) {
   return files_of(block, {&block.reference_lines, 1});
+}
+
+void check_positions(io::Project& project) {
+  try {
+    const std::string text = io::check_area_of_use(
+        project.crs,
+        transformed(project.images, [](const io::PatchImage& image) -> Eigen::Vector3d {
+          return projection_centre(image.image_from_world).hnormalized();
+        }));
+    if (text.empty()) return;
+    // that of the orientation is the same if the patch uses all of its images
+    const bool is_known = std::ranges::any_of(
+        project.warnings, [&](const std::string& warning) { return warning.ends_with(text); });
+    if (!is_known) project.warnings.push_back(project.path + ": " + text);
+  } catch (const std::invalid_argument& error) {
+    throw io::IoError(project.path, error.what());
+  }
 }
 
 void check_scale(const io::Patch& patch, const io::Crs& crs) {

@@ -15,6 +15,10 @@ namespace ridgeline::apps {
 /// headers of images that have not been read yet. Throws IoError.
 void check_patch(const io::Patch& patch, double max_image_mpx);
 
+/// Compares the projection centres with the area of use of the project's CRS: adds a warning if
+/// they lie outside, and throws IoError if they lie far outside; see io::check_area_of_use().
+void check_positions(io::Project& project);
+
 /// Throws IoError if the plan of a reference system (the patch's own or that of its cloud) is not
 /// true to scale beneath the first camera, as central projection requires. A place without a scale
 /// in the reference system passes; the judge warns about it.

@@ -10,6 +10,7 @@ namespace ridgeline::apps {
 io::Patch read_patch(const std::string& path, const io::Crs& assume_crs) {
   io::Patch patch = decide_patch(io::read_patch(path, find_points_in_files));
   if (assume_crs.known()) patch.crs = assume_crs;
+  check_positions(patch);
   return patch;
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/crs/area_of_use.h"
 #include "io/files/yaml_check.h"
 #include "io/orientation/colmap.h"
 #include "io/project/block_file.h"
@@ -283,7 +282,7 @@ class PatchReader {
     return images;
   }
 
-  void check_images(ProjectFile& project) const {
+  void check_images(const ProjectFile& project) const {
     const char* key = map_.has("images") ? "images" : "colmap";
     const std::vector<PatchImage>& images = project.images;
     if (images.size() < 2) {
@@ -295,31 +294,16 @@ class PatchReader {
         map_.fail(key, fmt::format("two images have the id {}", image.id));
       }
     }
-    const std::vector<Eigen::Vector3d> centres =
-        transformed(images, [](const PatchImage& image) -> Eigen::Vector3d {
-          return projection_centre(image.image_from_world).hnormalized();
-        });
-    if (!orientation_) compare_with_area_of_use(centres, key, project);
-    if (!project.max_views) require_bases(images, centres, key);
-  }
-
-  /// The positions of an orientation are compared where it is read.
-  void compare_with_area_of_use(const std::vector<Eigen::Vector3d>& centres,
-                                const char* key,
-                                ProjectFile& project) const {
-    try {
-      const std::string warning = check_area_of_use(project.crs, centres);
-      if (!warning.empty()) project.warnings.push_back(path_ + ": " + warning);
-    } catch (const std::invalid_argument& error) {
-      map_.fail(key, error.what());
-    }
+    if (!project.max_views) require_bases(images, key);
   }
 
   /// Candidate images may share positions, as those of a multi-head camera do; those of a patch may
   /// not.
-  void require_bases(const std::vector<PatchImage>& images,
-                     const std::vector<Eigen::Vector3d>& centres,
-                     const char* key) const {
+  void require_bases(const std::vector<PatchImage>& images, const char* key) const {
+    const std::vector<Eigen::Vector3d> centres =
+        transformed(images, [](const PatchImage& image) -> Eigen::Vector3d {
+          return projection_centre(image.image_from_world).hnormalized();
+        });
     for (std::size_t i = 0; i < images.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         if (!in_one_place(centres[i], centres[j])) continue;

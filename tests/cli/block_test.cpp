@@ -223,8 +223,8 @@ TEST_F(Block, WrongStepsAndFilesAreRefused) {
   EXPECT_REFUSED(refusal("overlap_m: 60\n"), HasSubstr("overlap_m = 60, patch_size_m = 100"));
   EXPECT_REFUSED(refusal("patch_size_m: 0\n"), HasSubstr("patch_size_m = 0; must be"));
   EXPECT_REFUSED(refusal("patchsize: 7\n"), HasSubstr("patchsize"));
-  EXPECT_REFUSED(refusal("", "[{path: frames/left.tif}, {path: frames/right.tif}]"),
-                 HasSubstr("a folder or file patterns"));
+  EXPECT_REFUSED(refusal("", "[{path: frames/left.tif, window_px: [1, 2]}]"),
+                 HasSubstr("window_px is only for patches"));
   EXPECT_FALSE(fs::exists(path("bad")));
   EXPECT_REFUSED(run({"run", "patch/block.yaml", "--out", "bad"}), HasSubstr("is a block file"));
   EXPECT_REFUSED(run({"block", "patch/oriented.yaml", "--out", "bad"}),

@@ -76,12 +76,12 @@ TEST_F(Info, TellsThePatchWithItsProjectionCentres) {
       info("patch.yaml",
            "id: north\ncrs: EPSG:25832\nheight_range: [240, 270]\nlidar: [lidar.las]\nimages:\n"
            "  - {id: left, path: l.tif, projection_matrix: "
-           "[[1000, 0, 0, 0], [0, 1000, 0, 0], [0, 0, -1, 800]]}\n"
+           "[[1000, 0, 0, -513000000], [0, 1000, 0, -5403000000], [0, 0, -1, 800]]}\n"
            "  - {id: right, path: r.tif, projection_matrix: "
-           "[[1000, 0, 0, -50000], [0, 1000, 0, 0], [0, 0, -1, 800]]}\n"),
+           "[[1000, 0, 0, -513050000], [0, 1000, 0, -5403000000], [0, 0, -1, 800]]}\n"),
       AllOf(HasSubstr("patch north"), HasSubstr("240 .. 270 m"), HasSubstr("image       left"),
-            HasSubstr("projection centre 50.000 0.000 800.000"), HasSubstr("UTM zone 32N"),
-            HasSubstr("warning     lidar.las does not exist")));
+            HasSubstr("projection centre 513050.000 5403000.000 800.000"),
+            HasSubstr("UTM zone 32N"), HasSubstr("warning     lidar.las does not exist")));
 }
 
 TEST_F(Info, TellsTheSizeAndBandsOfAnImage) {

@@ -83,7 +83,7 @@ TEST_F(OrientedPatch, NamesTheTableThatIsDamaged) {
   write(path("patch/opk.csv"), "name,x,y,z,omega_deg,phi_deg,kappa_deg\nleft,1,2\n");
   EXPECT_REFUSED(run_oriented(), HasSubstr("patch/opk.csv:2: "));
   write(path("patch/opk.csv"),
-        "name,x,y,z,omega_deg,phi_deg,kappa_deg,camera\nleft,1,2,3,0,0,0,of_left\n");
+        "name,x,y,z,omega_deg,phi_deg,kappa_deg,camera\nleft,513000,5403000,1500,0,0,0,of_left\n");
   EXPECT_REFUSED(run_oriented(),
                  AllOf(HasSubstr("patch/oriented.yaml: line "),
                        HasSubstr("patch/opk.csv has no image right.tif; similar names")));
