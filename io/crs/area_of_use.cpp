@@ -3,13 +3,14 @@
 
 #include "io/crs/proj_objects.h"
 #include "reconstruct/geometry/degrees.h"
+#include "reconstruct/geometry/median.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 
 namespace ridgeline::io {
@@ -23,18 +24,6 @@ struct AreaOfUse {
 struct PlaceOnEarth {
   double lat_deg = 0.0, lon_deg = 0.0;
 };
-
-Eigen::Vector3d median_of(const std::vector<Eigen::Vector3d>& x_m) {
-  Eigen::Vector3d median;
-  for (int axis = 0; axis < 3; ++axis) {
-    std::vector<double> values;
-    for (const Eigen::Vector3d& x : x_m) values.push_back(x[axis]);
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    median[axis] = *middle;
-  }
-  return median;
-}
 
 /// The area that the system states, or that of the registered system that it is equivalent to.
 std::optional<AreaOfUse> area_of(PJ_CONTEXT* context, const PJ& crs) {
@@ -56,7 +45,7 @@ std::optional<AreaOfUse> area_of(PJ_CONTEXT* context, const PJ& crs) {
 }
 
 /// std::nullopt if the position is nowhere on Earth.
-std::optional<PlaceOnEarth> place_of(PJ_CONTEXT* context, const PJ& crs, const Eigen::Vector3d& x) {
+std::optional<PlaceOnEarth> place_of(PJ_CONTEXT* context, const PJ& crs, const Eigen::Vector2d& x) {
   const proj::Object geodetic(proj_crs_get_geodetic_crs(context, &crs));
   const proj::Object steps(
       proj_create_crs_to_crs_from_pj(context, &crs, geodetic.get(), nullptr, nullptr));
@@ -64,7 +53,8 @@ std::optional<PlaceOnEarth> place_of(PJ_CONTEXT* context, const PJ& crs, const E
   const proj::Object east_first(proj_normalize_for_visualization(context, steps.get()));
   const PJ_COORD place =
       proj_trans(east_first.get(), PJ_FWD, proj_coord(x.x(), x.y(), 0.0, HUGE_VAL));
-  if (!std::isfinite(place.lp.lam) || !std::isfinite(place.lp.phi)) return std::nullopt;
+  const bool is_on_earth = std::abs(place.lp.phi) <= 90.0 && std::abs(place.lp.lam) <= 360.0;
+  if (!is_on_earth) return std::nullopt;
   return PlaceOnEarth{place.lp.phi, place.lp.lam};
 }
 
@@ -93,27 +83,32 @@ double distance_km(const PlaceOnEarth& place, const AreaOfUse& area) {
 
 }  // namespace
 
-std::string check_area_of_use(const Crs& crs, const std::vector<Eigen::Vector3d>& x_m) {
-  if (!crs.known() || x_m.empty()) return "";
+std::optional<double> km_outside_area_of_use(const Crs& crs, const Eigen::Vector2d& x_in_crs) {
   const proj::Context context = proj::make_context();
   const proj::Parts parts = proj::split(context.get(), crs);
-  if (!parts.horizontal || proj_get_type(parts.horizontal.get()) != PJ_TYPE_PROJECTED_CRS)
-    return "";
+  if (!parts.horizontal) return std::nullopt;
   const std::optional<AreaOfUse> area = area_of(context.get(), *parts.horizontal);
-  if (!area) return "";
-  const double unit_m = proj::axis_unit(context.get(), parts.horizontal.get(), 0).size_m;
-  const Eigen::Vector3d x = median_of(x_m);
-  const auto place = place_of(context.get(), *parts.horizontal, x / unit_m);
+  if (!area) return std::nullopt;
+  const auto place = place_of(context.get(), *parts.horizontal, x_in_crs);
+  return place ? distance_km(*place, *area) : std::numeric_limits<double>::infinity();
+}
+
+std::string check_area_of_use(const Crs& crs, const std::vector<Eigen::Vector3d>& x_m) {
+  if (!crs.known() || x_m.empty()) return "";
+  const CrsFacts facts = describe(crs);
+  if (facts.is_geographic) return "";
+  const Eigen::Vector2d x = {
+      upper_median(transformed(x_m, [](const Eigen::Vector3d& one) { return one.x(); })),
+      upper_median(transformed(x_m, [](const Eigen::Vector3d& one) { return one.y(); }))};
   constexpr double kMaxOutside_km = 300.0;
-  const double outside_km =
-      place ? distance_km(*place, *area) : std::numeric_limits<double>::infinity();
+  const double outside_km = km_outside_area_of_use(crs, x / facts.horizontal_unit_m).value_or(0.0);
   if (outside_km == 0.0) return "";
   const std::string extent =
       std::isfinite(outside_km) ? fmt::format("{:.0f} km", outside_km) : std::string("far");
   const std::string text = fmt::format(
       "positions around x = {:.0f}, y = {:.0f} are {} outside the area of use of {}; give the "
       "system of the positions, or the positions with their offset",
-      x.x(), x.y(), extent, parts.name);
+      x.x(), x.y(), extent, facts.name);
   if (outside_km > kMaxOutside_km) throw std::invalid_argument(text);
   return text;
 }
