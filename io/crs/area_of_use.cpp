@@ -60,37 +60,37 @@ std::optional<PlaceOnEarth> place_of(PJ_CONTEXT* context, const PJ& crs, const E
 
 double haversine(double angle_rad) { return std::pow(std::sin(0.5 * angle_rad), 2); }
 
-double distance_km(const PlaceOnEarth& a, const PlaceOnEarth& b) {
-  constexpr double kEarthRadius_km = 6371.0;
+double distance_m(const PlaceOnEarth& a, const PlaceOnEarth& b) {
+  constexpr double kEarthRadius_m = 6.371e6;
   const double h = haversine(kRadPerDeg * (a.lat_deg - b.lat_deg)) +
                    std::cos(kRadPerDeg * a.lat_deg) * std::cos(kRadPerDeg * b.lat_deg) *
                        haversine(kRadPerDeg * (a.lon_deg - b.lon_deg));
-  return 2.0 * kEarthRadius_km * std::asin(std::sqrt(std::min(h, 1.0)));
+  return 2.0 * kEarthRadius_m * std::asin(std::sqrt(std::min(h, 1.0)));
 }
 
 /// The distance to the nearest place of the area; 0 inside.
-double distance_km(const PlaceOnEarth& place, const AreaOfUse& area) {
+double distance_m(const PlaceOnEarth& place, const AreaOfUse& area) {
   const double lat_deg = std::clamp(place.lat_deg, area.south_deg, area.north_deg);
   const auto east_of_west_deg = [&](double lon_deg) {
     return std::remainder(lon_deg - area.west_deg - 180.0, 360.0) + 180.0;  // in [0, 360]
   };
   if (east_of_west_deg(place.lon_deg) <= east_of_west_deg(area.east_deg)) {
-    return distance_km(place, PlaceOnEarth{lat_deg, place.lon_deg});
+    return distance_m(place, PlaceOnEarth{lat_deg, place.lon_deg});
   }
-  return std::min(distance_km(place, PlaceOnEarth{lat_deg, area.west_deg}),
-                  distance_km(place, PlaceOnEarth{lat_deg, area.east_deg}));
+  return std::min(distance_m(place, PlaceOnEarth{lat_deg, area.west_deg}),
+                  distance_m(place, PlaceOnEarth{lat_deg, area.east_deg}));
 }
 
 }  // namespace
 
-std::optional<double> km_outside_area_of_use(const Crs& crs, const Eigen::Vector2d& x_in_crs) {
+std::optional<double> distance_from_area_of_use_m(const Crs& crs, const Eigen::Vector2d& x_in_crs) {
   const proj::Context context = proj::make_context();
   const proj::Parts parts = proj::split(context.get(), crs);
   if (!parts.horizontal) return std::nullopt;
   const std::optional<AreaOfUse> area = area_of(context.get(), *parts.horizontal);
   if (!area) return std::nullopt;
   const auto place = place_of(context.get(), *parts.horizontal, x_in_crs);
-  return place ? distance_km(*place, *area) : std::numeric_limits<double>::infinity();
+  return place ? distance_m(*place, *area) : std::numeric_limits<double>::infinity();
 }
 
 std::string check_area_of_use(const Crs& crs, const std::vector<Eigen::Vector3d>& x_m) {
@@ -100,16 +100,17 @@ std::string check_area_of_use(const Crs& crs, const std::vector<Eigen::Vector3d>
   const Eigen::Vector2d x = {
       upper_median(transformed(x_m, [](const Eigen::Vector3d& one) { return one.x(); })),
       upper_median(transformed(x_m, [](const Eigen::Vector3d& one) { return one.y(); }))};
-  constexpr double kMaxOutside_km = 300.0;
-  const double outside_km = km_outside_area_of_use(crs, x / facts.horizontal_unit_m).value_or(0.0);
-  if (outside_km == 0.0) return "";
+  constexpr double kMaxOutside_m = 300e3;
+  const double outside_m =
+      distance_from_area_of_use_m(crs, x / facts.horizontal_unit_m).value_or(0.0);
+  if (outside_m == 0.0) return "";
   const std::string extent =
-      std::isfinite(outside_km) ? fmt::format("{:.0f} km", outside_km) : std::string("far");
-  const std::string text = fmt::format(
+      std::isfinite(outside_m) ? fmt::format("{:.0f} km", outside_m / 1000.0) : std::string("far");
+  std::string text = fmt::format(
       "positions around x = {:.0f}, y = {:.0f} are {} outside the area of use of {}; give the "
       "system of the positions, or the positions with their offset",
       x.x(), x.y(), extent, facts.name);
-  if (outside_km > kMaxOutside_km) throw std::invalid_argument(text);
+  if (outside_m > kMaxOutside_m) throw std::invalid_argument(text);
   return text;
 }
 

@@ -11,10 +11,10 @@
 
 namespace ridgeline::io {
 
-/// The distance, km, of a position from the area in which a projected or geographic CRS is meant to
+/// The distance, m, of a position from the area in which a projected or geographic CRS is meant to
 /// be used: 0 inside, infinity if the position is nowhere on Earth, std::nullopt if the CRS is
 /// neither, or PROJ knows no area for it. `x_in_crs`: east, north in the units of the CRS.
-std::optional<double> km_outside_area_of_use(const Crs& crs, const Eigen::Vector2d& x_in_crs);
+std::optional<double> distance_from_area_of_use_m(const Crs& crs, const Eigen::Vector2d& x_in_crs);
 
 /// Compares positions with the area in which their projected system is meant to be used. Positions
 /// outside were stated without an offset, or in another system.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/files/shared_warnings.h"
 
+#include "reconstruct/geometry/transformed.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,9 +36,7 @@ std::vector<std::string> shared_warnings(const std::vector<std::string>& warning
         known == all.end() ? all.emplace_back(SharedWarning{text, path, {}}) : *known;
     shared.paths.insert(path);
   }
-  std::vector<std::string> sentences;
-  for (const SharedWarning& shared : all) sentences.push_back(shared.sentence());
-  return sentences;
+  return transformed(all, [](const SharedWarning& shared) { return shared.sentence(); });
 }
 
 }  // namespace ridgeline::io

@@ -80,9 +80,9 @@ std::vector<std::string> files_beside_surface_model(const std::string& path) {
 }
 
 bool is_possible_height(double height_m) {
-  constexpr double kLowest_m = -500.0;  // the shore of the Dead Sea is at -440 m
-  constexpr double kHighest_m = 9000.0;
-  return height_m >= kLowest_m && height_m <= kHighest_m;
+  constexpr double kMinPossible_m = -500.0;  // the shore of the Dead Sea is at -440 m
+  constexpr double kMaxPossible_m = 9000.0;
+  return height_m >= kMinPossible_m && height_m <= kMaxPossible_m;
 }
 
 SurfaceHeights read_surface_heights(const std::string& path, const Eigen::AlignedBox2d& bounds) {

@@ -129,7 +129,7 @@ class PlanJoin {
 
  private:
   static constexpr double kNear = 0.05, kSame = 0.01;  // units of the file
-  using Cell = std::pair<double, double>;
+  using PlanCell = std::pair<double, double>;
 
   /// Adds an edge in plan, or joins its face to that of an earlier edge at the same place.
   void add_edge(const Segment2& edge, std::size_t face) {
@@ -137,7 +137,7 @@ class PlanJoin {
     const auto cell = [](const Eigen::Vector2d& x) {
       return std::pair(std::round(x.x() / kSame), std::round(x.y() / kSame));
     };
-    const std::pair<Cell, Cell> ends = std::minmax(cell(edge.start), cell(edge.end));
+    const std::pair<PlanCell, PlanCell> ends = std::minmax(cell(edge.start), cell(edge.end));
     const auto [entry, is_new] = known_.try_emplace({names_[face], ends}, face);
     if (!is_new) return parts_.join(entry->second, face);
     edges_.push_back(edge);
@@ -165,7 +165,7 @@ class PlanJoin {
   DisjointSets& parts_;
   std::vector<Segment2> edges_;
   std::vector<std::size_t> face_of_edge_;
-  std::map<std::pair<std::string_view, std::pair<Cell, Cell>>, std::size_t> known_;
+  std::map<std::pair<std::string_view, std::pair<PlanCell, PlanCell>>, std::size_t> known_;
   BoxIndex2 edge_index_, face_index_;
 };
 

@@ -33,9 +33,9 @@ bool has_north_first(PJ_CONTEXT* context, const PJ* crs) {
 }
 
 bool is_in_area_of_use(const Crs& crs, double east, double north) {
-  constexpr double kMargin_km = 50.0;  // surveys reach beyond borders
-  const std::optional<double> outside_km = km_outside_area_of_use(crs, {east, north});
-  return outside_km && *outside_km <= kMargin_km;
+  constexpr double kMargin_m = 50e3;  // surveys reach beyond borders
+  const std::optional<double> outside_m = distance_from_area_of_use_m(crs, {east, north});
+  return outside_m && *outside_m <= kMargin_m;
 }
 
 void swap_plan(BuildingModel& model) {
