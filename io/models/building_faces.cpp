@@ -4,6 +4,7 @@
 #include "io/error.h"
 #include "io/models/lod.h"
 #include "reconstruct/geometry/faces/face_geometry.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <algorithm>
 #include <array>
@@ -21,8 +22,9 @@ constexpr LeftOutKind kOpenReference{"reference to a missing surface",
 /// The levels of detail in which the building, its parts and installations have faces of their own.
 std::vector<LodObject> lod_objects(const std::vector<GeometryProperty>& properties,
                                    const std::vector<std::string>& ids) {
-  std::vector<LodObject> objects;
-  for (const std::string& id : ids) objects.push_back({id, {}});
+  std::vector<LodObject> objects = transformed(ids, [](const std::string& id) {
+    return LodObject{id, {}};
+  });
   for (const GeometryProperty& property : properties) {
     const bool is_empty = property.surfaces.first == property.surfaces.end;
     if (!is_empty && !property.is_extra)

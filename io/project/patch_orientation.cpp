@@ -55,8 +55,8 @@ std::vector<std::string> with_path(const std::string& path, const std::vector<st
 /// Images with the same id, i.e. the same name in different folders, get as many of their files'
 /// folders in front of it as needed: "101MEDIA_DJI_0001".
 void tell_ids_apart(std::vector<PatchImage>& images) {
-  std::vector<fs::path> folders;
-  for (const PatchImage& image : images) folders.push_back(fs::path(image.path).parent_path());
+  std::vector<fs::path> folders = transformed(
+      images, [](const PatchImage& image) { return fs::path(image.path).parent_path(); });
   for (;;) {
     std::map<std::string, int> n_of_id;
     for (const PatchImage& image : images) ++n_of_id[image.id];
