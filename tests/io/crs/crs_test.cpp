@@ -38,6 +38,12 @@ TEST(Describe, SplitsACompoundCrs) {
   EXPECT_EQ(facts.vertical_unit_m, 1.0);
 }
 
+TEST(Describe, MayHaveBlanksInACode) {
+  EXPECT_EQ(describe({"EPSG: 25832 + 7837"}).vertical_name,
+            describe({"EPSG:25832+7837"}).vertical_name);
+  EXPECT_THROW(describe({"WGS 84 / UTM zone 32N"}), std::invalid_argument);
+}
+
 TEST(Describe, StatesFeetExactly) {
   const CrsFacts mixed = describe({"EPSG:2992+6360"});
   EXPECT_EQ(mixed.horizontal_unit_m, 0.3048);

@@ -127,6 +127,32 @@ TEST(ReadColmap, ReadsTheSameFromBinary) {
   }
 }
 
+TEST(ReadColmap, NeedsNoSupportForACameraWithoutImages) {
+  const TempFolder folder;
+  const std::string cameras = "3 OPENCV_FISHEYE 9 9 5 5 4 4 0.1 0.2 0.3 0.4\n";
+  EXPECT_EQ(read_colmap(folder_of(folder, kCameras + cameras)).size(), 2U);
+  EXPECT_THAT(io_error_of([&] {
+                read_colmap(folder_of(folder, kCameras + cameras, "1 1 0 0 0 0 0 0 3 a.jpg\n\n"));
+              }),
+              HasSubstr("camera model OPENCV_FISHEYE; supported are"));
+  std::string binary = binary_cameras();
+  binary[0] = 3;  // cameras
+  append<std::uint32_t>(binary, 3);
+  append<std::int32_t>(binary, 5);
+  for (const std::uint64_t size : {9, 9}) append(binary, size);
+  for (const double p : {5.0, 5.0, 4.0, 4.0, 0.1, 0.2, 0.3, 0.4}) append(binary, p);
+  (void)folder.write("binary/cameras.bin", binary);
+  (void)folder.write("binary/images.bin", binary_images());
+  EXPECT_EQ(read_colmap(folder.file("binary")).size(), 2U);
+}
+
+TEST(ColmapFiles, AreThoseOfCamerasAndImages) {
+  const TempFolder folder;
+  const std::string model = folder_of(folder);
+  EXPECT_THAT(colmap_files(model),
+              ::testing::ElementsAre(model + "/cameras.txt", model + "/images.txt"));
+}
+
 TEST(ReadColmap, SaysWhatIsWrong) {
   const TempFolder folder;
   const auto error_of = [&](const std::string& cameras, const std::string& images) {
