@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/files/shared_warnings.h"
 
-#include "reconstruct/geometry/transformed.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,7 +34,10 @@ std::vector<std::string> shared_warnings(const std::vector<std::string>& warning
         known == all.end() ? all.emplace_back(SharedWarning{text, path, {}}) : *known;
     shared.paths.insert(path);
   }
-  return transformed(all, [](const SharedWarning& shared) { return shared.sentence(); });
+  std::vector<std::string> sentences;
+  sentences.reserve(all.size());
+  for (const SharedWarning& shared : all) sentences.push_back(shared.sentence());
+  return sentences;
 }
 
 }  // namespace ridgeline::io
