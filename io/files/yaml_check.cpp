@@ -6,10 +6,12 @@
 #include "io/text/text.h"
 
 #include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 namespace ridgeline::io {
 namespace {
@@ -39,6 +41,43 @@ void require_few_values(const std::string& path, std::string_view content) {
                                   kMaxValues));
 }
 
+/// Where a document begins. All other events are ignored.
+class DocumentStart : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark& mark) override { position = mark; }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&,
+                const std::string&,
+                YAML::anchor_t,
+                const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&,
+                       const std::string&,
+                       YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&,
+                  const std::string&,
+                  YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+
+  YAML::Mark position = YAML::Mark::null_mark();
+};
+
+/// Throws YAML::ParserException for text that begins no value, such as a comma: yaml-cpp does not
+/// consume it and would find empty documents there without end.
+void require_values(const std::string& content) {
+  std::istringstream stream(content);
+  YAML::Parser parser(stream);
+  DocumentStart start;
+  for (int last = -1; parser.HandleNextDocument(start); last = start.position.pos) {
+    if (start.position.pos == last)
+      throw YAML::ParserException(start.position, "a value is expected");
+  }
+}
+
 }  // namespace
 
 void fail_yaml(const std::string& path, const YAML::Node& node, const std::string& message) {
@@ -55,6 +94,7 @@ YAML::Node parse_yaml(const std::string& content, const std::string& path) {
   if (trimmed(content).empty()) throw IoError(path, "is empty");
   require_few_values(path, content);
   try {
+    require_values(content);
     const std::vector<YAML::Node> documents = YAML::LoadAll(content);
     if (documents.size() > 1) {
       fail_yaml(path, documents[1], "a second document begins ('---'); a single one is expected");

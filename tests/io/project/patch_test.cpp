@@ -308,5 +308,13 @@ TEST(ReadPatch, ReadsTheFilesOfEarlierVersions) {
   }
 }
 
+TEST(ReadPatch, RefusesTextThatBeginsNoValue) {
+  const TempFolder folder;
+  for (const char* text : {", 900]\n", "id: 1\n--- \n, b\n"}) {
+    const std::string path = folder.write("patch.yaml", text);
+    EXPECT_THAT(io_error_of([&] { read_patch(path); }), HasSubstr("not YAML: a value is expected"));
+  }
+}
+
 }  // namespace
 }  // namespace ridgeline::io
