@@ -105,6 +105,10 @@ class ChunkReader {
     for (const XmlElement& sensor : chunk_.child("sensors").children("sensor")) {
       sensors_.emplace(sensor.attribute("id"), sensor);
     }
+    for (const XmlElement& chunk : document_.root("document").children("chunk")) {
+      if (is_disabled(chunk) && !is_disabled(chunk_))
+        left_out_.add("disabled chunks", chunk.attribute("label"));
+    }
     read_components();
     add_cameras(chunk_.child("cameras"));
     orientation_.warnings = left_out_.sentences();

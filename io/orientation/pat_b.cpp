@@ -26,7 +26,7 @@ class PatBReader {
   [[nodiscard]] Orientation read() {
     Orientation orientation;
     orientation.format = "PAT-B orientation";
-    for (std::size_t row = 0; row < rows_.size() && !is_end(rows_[row]); row += kRecords) {
+    for (std::size_t row = 0; row < rows_.size() && !is_end(row); row += kRecords) {
       if (rows_.size() - row < kRecords) {
         throw IoError(place(path_, rows_[row].number), "is truncated; an image has three records");
       }
@@ -40,7 +40,9 @@ class PatBReader {
 
  private:
   /// Some programs end the file with -99.
-  static bool is_end(const TextRow& row) { return trimmed(row.text) == "-99"; }
+  [[nodiscard]] bool is_end(std::size_t row) const {
+    return row + 1 == rows_.size() && trimmed(rows_[row].text) == "-99";
+  }
 
   /// Some programs write the focal length between the number and the position.
   [[nodiscard]] OrientedImage image_at(std::size_t row) const {

@@ -70,10 +70,11 @@ TEST(ReadOrientation, NeedsNoCameraWithoutImages) {
 }
 
 TEST(ReadMetashape, LeavesOutDisabledChunks) {
-  EXPECT_THAT(read_with("metashape_local.xml", "<document version=\"2.0.0\">",
-                        "<document><chunk enabled=\"false\"></chunk>")
-                  .images,
-              SizeIs(4));
+  const Orientation orientation =
+      read_with("metashape_local.xml", "<document version=\"2.0.0\">",
+                "<document><chunk label=\"old\" enabled=\"false\"></chunk>");
+  EXPECT_THAT(orientation.images, SizeIs(4));
+  EXPECT_THAT(orientation.warnings, Contains("disabled chunks, left out: 1 (old)"));
 }
 
 TEST(ReadOrientation, NamesElementsThatChangeWhatAPixelMeans) {
@@ -147,6 +148,9 @@ TEST(ReadPatB, TakesFlagsFortranExponentsAndAnEndMark) {
       "-0.8 0.0 0.8 0.6 0\n2 0.50040050D+06 5412300.25 101.0 1\n1.0 0.0 0.0 0.0 1.0\n"
       "0.0 0.0 0.0 1.0\n-99\n";
   const TempFolder folder;
+  const std::string more = plain + "-99\n3 500500.5 5412300.25 101\n1 0 0 0 1\n0 0 0 1\n";
+  EXPECT_THAT(io_error_of([&] { read_orientation(folder.write("c.ori", more), options); }),
+              HasSubstr("c.ori:7: "));
   const Orientation a = read_orientation(folder.write("a.ori", plain), options);
   const Orientation b = read_orientation(folder.write("b.ori", odd), options);
   ASSERT_THAT(b.images, SizeIs(2));
