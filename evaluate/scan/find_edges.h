@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/scan/scan_edges.h"
+
+#include <Eigen/Core>
+
+#include <span>
+
+namespace ridgeline::evaluate {
+
+/// The planes of a scan and the edges of its roofs. The result does not depend on the order of the
+/// points. Points that are not finite, and further points at the same position, are ignored.
+ScanEdges find_edges(std::span<const Eigen::Vector3d> points_in_local);
+
+}  // namespace ridgeline::evaluate
