@@ -22,6 +22,8 @@ constexpr double kMaxDeviation = 3.5;
 constexpr double kMinTolerance_m = 0.05, kMaxTolerance_m = 0.35;
 /// Planes that meet at a smaller angle are one if they continue each other.
 constexpr double kMaxUnitedAngle_deg = 4.0;
+/// Planes that meet at a smaller angle do not show on which side of their intersection a point is.
+constexpr double kMinSeparatedAngle_deg = 10.0;
 
 /// The plane through the neighbours of a point.
 struct LocalPlane {
@@ -121,7 +123,26 @@ class Growth {
       return;
     }
     fits_.push_back(fitted(points_, members));
+    add_fringe(id, members);
     members_.push_back(std::move(members));
+  }
+
+  /// Takes in the points next to a region whose normals are mixed with those of its neighbours.
+  /// Without them these points would form planes of their own.
+  void add_fringe(int id, std::vector<std::size_t>& members) {
+    constexpr int kRings = 2;
+    std::size_t first = 0;
+    for (int ring = 0; ring < kRings; ++ring) {
+      const std::size_t last = members.size();
+      for (std::size_t i = first; i < last; ++i) {
+        for (const std::uint32_t k : neighbours_.of(members[i])) {
+          if (region_of_[k] != kNoRegion || deviation(k, id) > 1.0) continue;
+          region_of_[k] = id;
+          members.push_back(k);
+        }
+      }
+      first = last;
+    }
   }
 
   Eigen::Vector3d mean_around(std::size_t i) const {
@@ -263,6 +284,9 @@ class Growth {
     constexpr double kMinVertical = 0.2;
     if (std::abs(fa.plane.normal().z()) < kMinVertical ||
         std::abs(fb.plane.normal().z()) < kMinVertical)
+      return 0;
+    if (std::abs(fa.plane.normal().dot(fb.plane.normal())) >
+        std::cos(kMinSeparatedAngle_deg * kRadPerDeg))
       return 0;
     const double a_above = fb.plane.signedDistance(fa.centroid);
     const double b_above = fa.plane.signedDistance(fb.centroid);
