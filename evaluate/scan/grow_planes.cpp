@@ -57,7 +57,11 @@ PlaneFit fitted(std::span<const Eigen::Vector3d> points, std::span<const std::si
   std::vector<Eigen::Vector3d> chosen;
   chosen.reserve(of_region.size());
   for (const std::size_t i : of_region) chosen.push_back(points[i]);
-  return fit_plane(chosen).value_or(PlaneFit{});
+  if (const auto fit = fit_plane(chosen)) return *fit;
+  PlaneFit none;
+  none.axes.setZero();
+  none.spread_m2.setZero();
+  return none;
 }
 
 class Growth {
@@ -105,7 +109,6 @@ class Growth {
     std::vector<std::size_t> members{seed};
     region_of_[seed] = id;
     std::size_t refit_at = kMinRegionPoints;
-    PlaneFit fit;
     for (std::size_t next = 0; next < members.size(); ++next) {
       for (const std::uint32_t k : neighbours_.of(members[next])) {
         if (region_of_[k] != kNoRegion || !is_on(k, plane, tolerance_m)) continue;
@@ -113,8 +116,7 @@ class Growth {
         members.push_back(k);
       }
       if (members.size() < refit_at) continue;
-      fit = fitted(points_, members);
-      plane = fit.plane;
+      plane = fitted(points_, members).plane;
       refit_at = members.size() + members.size() / 2;
     }
     if (members.size() < kMinRegionPoints) {
