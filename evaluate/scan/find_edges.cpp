@@ -50,7 +50,7 @@ class EdgeSearch {
     pairs_ = touching(planes, neighbours);
     region_of_ = std::move(planes.region_of);
     for (PlaneRegion& region : planes.regions)
-      regions_.push_back(make_scan_region(std::move(region), points_));
+      regions_.push_back(make_scan_region(std::move(region), points_, neighbours));
     seams_ = find_seams(regions_, pairs_);
     mark_roofs();
     drop_small_roofs();
@@ -110,7 +110,7 @@ class EdgeSearch {
         if (!regions_[r].is_upright) add_surroundings(r, around[bodies.name_of(r)]);
       for (std::size_t r = 0; r < regions_.size(); ++r) {
         const Surrounded& body = around[bodies.name_of(r)];
-        if (is_roof_[r] || regions_[r].is_upright || regions_[r].shape.area_m2 < kMinArea_m2 ||
+        if (is_roof_[r] || regions_[r].is_upright || regions_[r].area_m2() < kMinArea_m2 ||
             body.deep_m <= kMinDeepShare * (body.deep_m + body.other_m))
           continue;
         is_roof_[r] = changed = true;
@@ -126,28 +126,27 @@ class EdgeSearch {
       if (is_roof_[a] && is_roof_[b]) bodies.join(a, b);
     std::vector<double> area_m2(regions_.size());
     for (std::size_t r = 0; r < regions_.size(); ++r)
-      area_m2[bodies.name_of(r)] += regions_[r].shape.area_m2;
+      area_m2[bodies.name_of(r)] += regions_[r].area_m2();
     for (std::size_t r = 0; r < regions_.size(); ++r)
       if (area_m2[bodies.name_of(r)] < kMinBody_m2) is_roof_[r] = false;
   }
 
   void add_surroundings(std::size_t r, Surrounded& sum) const {
     const ScanRegion& region = regions_[r];
-    for (const FreeSide& side : free_sides(region, seams_in_plane(r))) {
-      const auto& loop = region.shape.loops[side.loop];
-      const Eigen::Vector2d a = region.uv[loop[side.vertex]];
-      const Eigen::Vector2d b = region.uv[loop[(side.vertex + 1) % loop.size()]];
-      const Eigen::Vector2d d = (b - a).normalized();
-      const Seen seen = surroundings_.beyond(region, 0.5 * (a + b), {d.y(), -d.x()});
+    const std::vector<Segment2> seams = seams_in_plane(r);
+    for (const CellSide& side : coarse_border(region)) {
+      if (is_next_to_seam(region, side.middle_m, seams)) continue;
+      const Seen seen = surroundings_.beyond(region, side.middle_m, side.out);
       if (seen.what == Beyond::kNothing || (seen.what == Beyond::kHigher && seen.is_roof)) continue;
-      (seen.what == Beyond::kDeep ? sum.deep_m : sum.other_m) += (b - a).norm();
+      (seen.what == Beyond::kDeep ? sum.deep_m : sum.other_m) += region.spacing_m;
     }
   }
 
   void add_planes() {
     for (std::size_t r = 0; r < regions_.size(); ++r) {
+      if (is_roof_[r]) regions_[r].shape = alpha_shape(regions_[r].uv);
       ScanPlane plane{.fit = regions_[r].fit,
-                      .area_m2 = regions_[r].shape.area_m2,
+                      .area_m2 = regions_[r].area_m2(),
                       .is_roof = is_roof_[r],
                       .rings = {}};
       for (const auto& loop : regions_[r].shape.loops) {
@@ -168,7 +167,7 @@ class EdgeSearch {
       found.edge.kind = seam.is_valley ? "valley" : is_level(seam.segment) ? "ridge" : "hip";
       found.edge.support = seam.support;
       found.model = model_of_seam(seam.segment, regions_[a].fit, regions_[b].fit);
-      found.spacing_m = std::max(regions_[a].shape.spacing_m, regions_[b].shape.spacing_m);
+      found.spacing_m = std::max(regions_[a].spacing_m, regions_[b].spacing_m);
       set_along(found);
     }
   }
@@ -207,7 +206,7 @@ class EdgeSearch {
     found.edge.moved_out_m = line.moved_out_m;
     found.model = model_of_border(found.edge.segment, region.axes * Eigen::Vector2d(u.y(), -u.x()),
                                   region.fit, line);
-    found.spacing_m = region.shape.spacing_m;
+    found.spacing_m = region.spacing_m;
     set_along(found);
   }
 
