@@ -249,7 +249,9 @@ class EdgeSearch {
 
 }  // namespace
 
-ScanEdges find_edges(std::span<const Eigen::Vector3d> points_in_local, const ScanOptions& options) {
+ScanEdges find_edges(std::span<const Eigen::Vector3d> points_in_local,
+                     const ScanOptions& options,
+                     const NeighbourSearch& search) {
   const std::vector<Eigen::Vector3d> points = in_order(points_in_local);
   if (points.size() <= kNeighbours) return {};
   return EdgeSearch(points, options).find(search(points, kNeighbours));
