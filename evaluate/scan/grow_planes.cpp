@@ -15,7 +15,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr std::size_t kMinRegionPoints = 12;
+constexpr std::size_t kMinRegionPoints = 8;
 constexpr double kMaxNormalAngle_deg = 20.0;
 /// A point near a plane whose own surroundings are steeper to it than this is on a wall.
 constexpr std::ptrdiff_t kMinSharedNeighbours = 34;  ///< per cent
