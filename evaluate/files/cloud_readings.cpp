@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/files/cloud_readings.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace ridgeline::results {
+
+void add_reading(io::PointCloud part, std::uint64_t n_kept, CloudReadings& sum) {
+  ++sum.n_batches;
+  sum.n_kept += n_kept;
+  io::PointCloud& cloud = sum.cloud;
+  cloud.frame = part.frame;
+  cloud.crs = std::move(part.crs);
+  cloud.horizontal_unit_m = part.horizontal_unit_m;
+  cloud.vertical_unit_m = part.vertical_unit_m;
+  for (const auto count :
+       {&io::PointCloud::n_read, &io::PointCloud::n_dropped_class,
+        &io::PointCloud::n_dropped_withheld, &io::PointCloud::n_dropped_return,
+        &io::PointCloud::n_dropped_bounds, &io::PointCloud::n_dropped_non_finite}) {
+    cloud.*count += part.*count;
+  }
+  for (std::string& warning : part.warnings) {
+    if (std::ranges::find(cloud.warnings, warning) == cloud.warnings.end()) {
+      cloud.warnings.push_back(std::move(warning));
+    }
+  }
+}
+
+}  // namespace ridgeline::results

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/cloud/point_cloud.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace ridgeline::results {
+
+/// Totals over all readings of a cloud: a point that two readings keep counts twice.
+struct CloudReadings {
+  std::size_t n_batches = 0;
+  std::uint64_t n_kept = 0;
+  io::PointCloud cloud;  ///< without points: reference system, units, counts, warnings
+};
+
+/// Adds the points of one reading, whose number is `n_kept`, to the totals. `part` may have lost
+/// its points.
+void add_reading(io::PointCloud part, std::uint64_t n_kept, CloudReadings& sum);
+
+}  // namespace ridgeline::results
