@@ -26,6 +26,7 @@ struct EvaluateArguments {
   std::vector<int> classes;
   bool exclude_withheld = true, last_returns = false, strict = false, salvage = false;
   bool vertex_pairs = false, scale_to_ground = false, report = true, overwrite = false;
+  bool completeness = false;
   std::vector<double> area, bounds, origin;
   std::string assume_crs, lod, write_attributes, id_column, building_column;
   std::vector<std::string> by;
@@ -81,6 +82,7 @@ void add_inputs(CLI::App& app, EvaluateArguments& a) {
   add_overwrite_flag(app, a.overwrite);
   add_shift_options(app, a.shift);
   add_decoys_option(app, a.n_decoys);
+  add_completeness_flag(app, a.completeness);
   add_schema_option(app, a.schema);
   add_page_options(app, a.page);
   add_report_flag(app, a.report);
@@ -219,6 +221,7 @@ results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   options.apply_shift = a.shift.apply;
   options.geoid = a.shift.geoid;
   options.n_decoys = a.n_decoys;
+  options.completeness = a.completeness;
   options.lines.assume_crs.definition = a.assume_crs;
   options.lines.vertex_pairs = a.vertex_pairs;
   options.lines.lod = a.lod;
