@@ -19,6 +19,8 @@ io::MapStyle buildings_style();
 io::MapStyle faces_style();
 /// Markers for what to fix, the first ten larger.
 io::MapStyle to_fix_style();
+/// Edges of a scan by `kind`.
+io::MapStyle edge_kinds_style();
 /// Vectors as thin dark lines.
 io::MapStyle vectors_style();
 

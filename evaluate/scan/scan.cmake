@@ -1,4 +1,4 @@
 set(evaluate_scan_sources
-  scan/find_edges.cpp)
+  scan/edge_kinds.cpp scan/find_edges.cpp)
 set(evaluate_scan_headers
-  scan/find_edges.h scan/scan_edges.h)
+  scan/edge_kinds.h scan/find_edges.h scan/scan_edges.h)
