@@ -14,6 +14,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace ridgeline::apps {
@@ -32,8 +33,8 @@ constexpr double kSectionHalfWidth_m = 0.75;
 constexpr double kSectionReach_m = 8.0;
 
 double rounded(double x, double step) { return std::round(x / step) * step; }
-PageJson to_mm(double x_m) { return std::round(x_m * 1e3) / 1e3; }
-PageJson to_cm(double x_m) { return std::round(x_m * 1e2) / 1e2; }
+double to_mm(double x_m) { return std::round(x_m * 1e3) / 1e3; }
+double to_cm(double x_m) { return std::round(x_m * 1e2) / 1e2; }
 
 /// The numbers of the largest by `size`, at most `n_most`, in ascending order.
 template <typename Size>
@@ -82,15 +83,15 @@ std::vector<SectionPlace> section_places(const ScanEdges& edges) {
 
 /// The points of the section, [t, z].
 PageJson section_points(const SectionPlace& place, const std::vector<io::CloudPoint>& points) {
-  PageJson json = PageJson::array();
+  std::set<std::pair<double, double>> places;  // whatever the order of the points
   for (const io::CloudPoint& p : points) {
     const Eigen::Vector2d x = Eigen::Vector2d(p.x, p.y) - place.middle.head<2>();
     const double t = x.dot(place.right);
     if (std::abs(x.dot(place.along)) > kSectionHalfWidth_m || std::abs(t) > kSectionReach_m)
       continue;
-    json.push_back({to_cm(t), to_cm(p.z - place.middle.z())});
+    places.emplace(to_cm(t), to_cm(p.z - place.middle.z()));
   }
-  return json;
+  return places;
 }
 
 /// The parts of the section on roof planes, [t, z, t, z].
@@ -148,10 +149,11 @@ PageJson sections_json(const ScanEdges& edges, io::CloudFiles& cloud) {
 PageJson kinds_json(const ScanEdges& edges) {
   PageJson json = PageJson::array();
   for (const evaluate::EdgesOfKind& row : evaluate::by_kind(edges.edges)) {
-    json.push_back({{"kind", row.kind},
-                    {"n", row.n},
-                    {"length_m", to_cm(row.length_m)},
-                    {"median_sigma_m", row.n == 0 ? PageJson() : to_mm(row.median_sigma_m)}});
+    json.push_back(
+        {{"kind", row.kind},
+         {"n", row.n},
+         {"length_m", to_cm(row.length_m)},
+         {"median_sigma_m", row.n == 0 ? PageJson() : PageJson(to_mm(row.median_sigma_m))}});
   }
   return json;
 }
@@ -220,8 +222,8 @@ class PlanJson {
 PageJson notes_json(const ScanEdges& edges, std::size_t n_roofs) {
   PageJson notes = PageJson::array();
   if (edges.edges.size() > kMostEdges) {
-    notes.push_back(fmt::format("The plan shows the {} longest of {} edges.", kMostEdges,
-                                edges.edges.size()));
+    notes.push_back(
+        fmt::format("The plan shows the {} longest of {} edges.", kMostEdges, edges.edges.size()));
   }
   if (n_roofs > kMostPlanes) {
     notes.push_back(fmt::format("The plan shows the {} largest planes.", kMostPlanes));
@@ -233,8 +235,8 @@ PageJson notes_json(const ScanEdges& edges, std::size_t n_roofs) {
 
 std::string edges_page(const std::string& name, const ScanEdges& edges, io::CloudFiles& cloud) {
   const PlanJson in_plan(edges);
-  const auto n_roofs = static_cast<std::size_t>(
-      std::ranges::count(edges.planes, true, &ScanPlane::is_roof));
+  const auto n_roofs =
+      static_cast<std::size_t>(std::ranges::count(edges.planes, true, &ScanPlane::is_roof));
   const Eigen::Vector2d origin = in_plan.origin_m() + cloud.frame().origin_m.head<2>();
   const PageJson page{{"schema", kEdgesSchema},
                       {"page", "edges"},
