@@ -129,10 +129,9 @@ BlockPlan read_block_plan(const std::string& path) {
 
 void require_unchanged(const FileState& file) {
   if (is_unchanged(file)) return;
-  throw io::IoError(
-      file.path,
-      "has changed since the block was planned; restore it, or remove plan.nlohmann::json to "
-      "plan again (patches that do not depend on it keep their results)");
+  throw io::IoError(file.path,
+                    "has changed since the block was planned; restore it, or remove plan.json to "
+                    "plan again (patches that do not depend on it keep their results)");
 }
 
 }  // namespace ridgeline::apps
