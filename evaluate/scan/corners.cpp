@@ -19,7 +19,7 @@ namespace {
 constexpr double kMinCornerAngle_deg = 15.0;
 constexpr double kMaxCornerHeight_m = 0.3;  ///< between two lines that cross in plan
 /// How far an end may be moved: the border of random points is cut short by this much at corners.
-constexpr double kReachSpacings = 3.0;
+constexpr double kCornerReachSpacings = 3.0;
 
 using EdgeEnd = std::size_t;  ///< 2 * edge + (0: start, 1: end)
 
@@ -64,7 +64,7 @@ class Corners {
   void add_pair(std::size_t a, std::size_t b) {
     const auto x = crossing(edges_[a].edge.segment, edges_[b].edge.segment);
     if (!x) return;
-    const double reach_m = kReachSpacings * std::max(edges_[a].spacing_m, edges_[b].spacing_m);
+    const double reach_m = kCornerReachSpacings * std::max(edges_[a].spacing_m, edges_[b].spacing_m);
     const EdgeEnd end_a = nearer_end(a, *x), end_b = nearer_end(b, *x);
     const double distance_m =
         std::max((place_of(edges_, end_a) - *x).norm(), (place_of(edges_, end_b) - *x).norm());

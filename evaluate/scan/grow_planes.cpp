@@ -22,6 +22,8 @@ constexpr double kMaxDeviation = 3.5;
 constexpr double kMinTolerance_m = 0.05, kMaxTolerance_m = 0.35;
 /// Planes that meet at a smaller angle are one if they continue each other.
 constexpr double kMaxUnitedAngle_deg = 4.0;
+/// Planes that meet at a smaller angle do not show on which side of their intersection a point is.
+constexpr double kMinSeparatedAngle_deg = 10.0;
 
 /// The plane through the neighbours of a point.
 struct LocalPlane {
@@ -55,7 +57,11 @@ PlaneFit fitted(std::span<const Eigen::Vector3d> points, std::span<const std::si
   std::vector<Eigen::Vector3d> chosen;
   chosen.reserve(of_region.size());
   for (const std::size_t i : of_region) chosen.push_back(points[i]);
-  return fit_plane(chosen).value_or(PlaneFit{});
+  if (const auto fit = fit_plane(chosen)) return *fit;
+  PlaneFit none;
+  none.axes.setZero();
+  none.spread_m2.setZero();
+  return none;
 }
 
 class Growth {
@@ -103,7 +109,6 @@ class Growth {
     std::vector<std::size_t> members{seed};
     region_of_[seed] = id;
     std::size_t refit_at = kMinRegionPoints;
-    PlaneFit fit;
     for (std::size_t next = 0; next < members.size(); ++next) {
       for (const std::uint32_t k : neighbours_.of(members[next])) {
         if (region_of_[k] != kNoRegion || !is_on(k, plane, tolerance_m)) continue;
@@ -111,8 +116,7 @@ class Growth {
         members.push_back(k);
       }
       if (members.size() < refit_at) continue;
-      fit = fitted(points_, members);
-      plane = fit.plane;
+      plane = fitted(points_, members).plane;
       refit_at = members.size() + members.size() / 2;
     }
     if (members.size() < kMinRegionPoints) {
@@ -121,7 +125,26 @@ class Growth {
       return;
     }
     fits_.push_back(fitted(points_, members));
+    add_fringe(id, members);
     members_.push_back(std::move(members));
+  }
+
+  /// Takes in the points next to a region whose normals are mixed with those of its neighbours.
+  /// Without them these points would form planes of their own.
+  void add_fringe(int id, std::vector<std::size_t>& members) {
+    constexpr int kRings = 2;
+    std::size_t first = 0;
+    for (int ring = 0; ring < kRings; ++ring) {
+      const std::size_t last = members.size();
+      for (std::size_t i = first; i < last; ++i) {
+        for (const std::uint32_t k : neighbours_.of(members[i])) {
+          if (region_of_[k] != kNoRegion || deviation(k, id) > 1.0) continue;
+          region_of_[k] = id;
+          members.push_back(k);
+        }
+      }
+      first = last;
+    }
   }
 
   Eigen::Vector3d mean_around(std::size_t i) const {
@@ -263,6 +286,9 @@ class Growth {
     constexpr double kMinVertical = 0.2;
     if (std::abs(fa.plane.normal().z()) < kMinVertical ||
         std::abs(fb.plane.normal().z()) < kMinVertical)
+      return 0;
+    if (std::abs(fa.plane.normal().dot(fb.plane.normal())) >
+        std::cos(kMinSeparatedAngle_deg * kRadPerDeg))
       return 0;
     const double a_above = fb.plane.signedDistance(fa.centroid);
     const double b_above = fa.plane.signedDistance(fb.centroid);

@@ -45,7 +45,7 @@ std::vector<RimPoint> points_above(const ScanRegion& region,
 std::optional<Rim> find_rim(const ScanRegion& region,
                             const Border& border,
                             const Surroundings& surroundings) {
-  constexpr double kMinShare = 0.6, kMinSupport = 0.7, kReachSpacings = 2.0, kDeviations = 3.5;
+  constexpr double kMinShare = 0.6, kMinSupport = 0.7, kRimReachSpacings = 2.0, kDeviations = 3.5;
   const double length_m = length(border.uv_m), sigma_m = region.fit.sigma0_m;
   std::vector<RimPoint> points = points_above(region, border.uv_m, surroundings);
   if (points.size() < kMinRimPoints) return std::nullopt;
@@ -61,7 +61,7 @@ std::optional<Rim> find_rim(const ScanRegion& region,
   if (points.size() < kMinRimPoints || n < kMinShare * n_all) return std::nullopt;
   std::vector<Eigen::Vector2d> st;
   for (const RimPoint& p : points) st.push_back(p.st);
-  if (supported_share(st, length_m, kReachSpacings * region.shape.spacing_m) < kMinSupport)
+  if (supported_share(st, length_m, kRimReachSpacings * region.shape.spacing_m) < kMinSupport)
     return std::nullopt;
   rim.sigma_height_m = sigma_m / std::sqrt(n);
   constexpr double kParallel_deg = 0.5;

@@ -16,7 +16,7 @@ constexpr double kMinSeamAngle_deg = 6.0;
 constexpr double kMinSeam_m = 0.8;
 /// In spacings of the points: how far a point may lie from the intersection, and how much of it to
 /// both sides it supports.
-constexpr double kReachSpacings = 1.5, kSupportSpacings = 1.5;
+constexpr double kSeamReach = 1.5, kSeamSupport = 1.5;
 
 struct Interval1 {
   double low, high;
@@ -81,13 +81,13 @@ void add_seams(std::span<const ScanRegion> regions,
   const auto line = intersection_of(regions[a], regions[b]);
   if (!line) return;
   const double spacing_m = std::max(regions[a].shape.spacing_m, regions[b].shape.spacing_m);
-  const double reach_m = kReachSpacings * spacing_m, support_m = kSupportSpacings * spacing_m;
+  const double reach_m = kSeamReach * spacing_m, support_m = kSeamSupport * spacing_m;
   const bool is_valley = regions[b].fit.plane.signedDistance(regions[a].fit.centroid) > 0.0;
   const std::vector<Interval1> on_a = covered(regions[a], *line, reach_m, support_m);
   const std::vector<Interval1> on_b = covered(regions[b], *line, reach_m, support_m);
   for (const Interval1& part : common(on_a, on_b)) {
     // the mean gap beyond the outermost point is 1 / (density x width)
-    const double beyond_m = spacing_m / (2.0 * kReachSpacings);
+    const double beyond_m = spacing_m / (2.0 * kSeamReach);
     const double low = part.low + support_m - beyond_m, high = part.high - support_m + beyond_m;
     if (high - low < kMinSeam_m) continue;
     seams.push_back({.regions = {a, b},
