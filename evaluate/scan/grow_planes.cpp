@@ -17,6 +17,9 @@ namespace {
 
 constexpr std::size_t kMinRegionPoints = 12;
 constexpr double kMaxNormalAngle_deg = 20.0;
+/// A point near a plane whose own surroundings are steeper to it than this is on a wall.
+constexpr std::ptrdiff_t kMinSharedNeighbours = 34;  ///< per cent
+constexpr double kMaxFringeAngle_deg = 60.0;
 /// A point belongs to a plane up to this many standard deviations of its points.
 constexpr double kMaxDeviation = 3.5;
 constexpr double kMinTolerance_m = 0.05, kMaxTolerance_m = 0.35;
@@ -78,6 +81,7 @@ class Growth {
     fill();
     unite();
     separate();
+    prune();
     return collected();
   }
 
@@ -159,8 +163,12 @@ class Growth {
            std::abs(plane.normal().dot(local_[i].normal)) >= kMinCosine;
   }
 
+  /// How far a point lies from the plane of a region, 1 being the limit for its points; infinite
+  /// for the points of a wall that crosses it.
   double deviation(std::size_t i, int region) const {
+    static const double kMinCosine = std::cos(kMaxFringeAngle_deg * kRadPerDeg);
     const PlaneFit& fit = fits_[static_cast<std::size_t>(region)];
+    if (std::abs(fit.plane.normal().dot(local_[i].normal)) < kMinCosine) return HUGE_VAL;
     return fit.plane.absDistance(points_[i]) / tolerance_of(fit.sigma0_m);
   }
 
@@ -272,6 +280,24 @@ class Growth {
       }
     }
     for (const auto& [i, region] : moved) region_of_[i] = region;
+    collect_members();
+  }
+
+  /// Points of other surfaces where these cross a plane, such as a wall, have few neighbours on it.
+  void prune() {
+    std::vector<std::size_t> dropped;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (region_of_[i] == kNoRegion) continue;
+      const auto n = std::ranges::count_if(
+          neighbours_.of(i), [&](std::uint32_t k) { return region_of_[k] == region_of_[i]; });
+      if (kMinSharedNeighbours * static_cast<std::ptrdiff_t>(neighbours_.per_point()) > n * 100)
+        dropped.push_back(i);
+    }
+    for (const std::size_t i : dropped) region_of_[i] = kNoRegion;
+    collect_members();
+  }
+
+  void collect_members() {
     for (auto& members : members_) members.clear();
     for (std::size_t i = 0; i < points_.size(); ++i)
       if (region_of_[i] != kNoRegion)
