@@ -86,6 +86,10 @@ constexpr std::array kCommands{
             "  ridgeline reconstruct patch.yaml --matches matches.csv --method network --out "
             "lines.geojson",
             add_reconstruct},
+    Command{"edges", "find the roof edges of a point cloud as 3D lines",
+            "  ridgeline edges --cloud 'tiles/*.laz' --out edges.gpkg\n"
+            "  ridgeline edges --cloud lidar.las --classes 2,6 --min-length-m 2 --out edges.dxf",
+            add_edges},
     Command{
         "patch", "write a patch file from an orientation, an area and images",
         "  ridgeline patch --init roofs.yaml --orientation block.xml --images frames --area "

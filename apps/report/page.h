@@ -13,6 +13,7 @@ struct FrontEnd {
 
 FrontEnd run_front_end();    ///< for the report of a run
 FrontEnd block_front_end();  ///< for the report of a block and the pages of its patches
+FrontEnd edges_front_end();  ///< for the page of the edges of a point cloud
 
 /// Makes JSON text safe inside an HTML script element: every `<` is written as \u003c, so that
 /// nothing in it can close the element or open a comment. The text still parses to the same value.

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/files/cloud_readings.h"
 
+#include "io/error.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -26,6 +30,20 @@ void add_reading(io::PointCloud part, std::uint64_t n_kept, CloudReadings& sum) 
       cloud.warnings.push_back(std::move(warning));
     }
   }
+}
+
+void require_points(const io::PointCloud& cloud, const std::string& path) {
+  if (cloud.n_read == 0) {
+    throw io::IoError(path, "has no points");
+  }
+  const std::uint64_t filtered = cloud.n_dropped_class + cloud.n_dropped_withheld +
+                                 cloud.n_dropped_return + cloud.n_dropped_non_finite;
+  if (filtered < cloud.n_read) return;
+  throw io::IoError(
+      path, fmt::format("none of {} points are left: {} dropped by class, {} withheld, {} not last "
+                        "returns, {} not finite; `ridgeline info` lists its classes",
+                        cloud.n_read, cloud.n_dropped_class, cloud.n_dropped_withheld,
+                        cloud.n_dropped_return, cloud.n_dropped_non_finite));
 }
 
 }  // namespace ridgeline::results

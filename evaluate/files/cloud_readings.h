@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace ridgeline::results {
 
@@ -18,5 +19,9 @@ struct CloudReadings {
 /// Adds the points of one reading, whose number is `n_kept`, to the totals. `part` may have lost
 /// its points.
 void add_reading(io::PointCloud part, std::uint64_t n_kept, CloudReadings& sum);
+
+/// Throws IoError if the files have no points, or if the options keep none of them wherever they
+/// lie.
+void require_points(const io::PointCloud& cloud, const std::string& path);
 
 }  // namespace ridgeline::results

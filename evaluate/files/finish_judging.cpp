@@ -204,20 +204,6 @@ nlohmann::ordered_json cloud_facts(const CloudReadings& readings, const io::Clou
   return json;
 }
 
-void require_points(const io::PointCloud& cloud, const std::string& path) {
-  if (cloud.n_read == 0) {
-    throw io::IoError(path, "has no points to judge lines against");
-  }
-  const std::uint64_t filtered = cloud.n_dropped_class + cloud.n_dropped_withheld +
-                                 cloud.n_dropped_return + cloud.n_dropped_non_finite;
-  if (filtered < cloud.n_read) return;
-  throw io::IoError(
-      path, fmt::format("none of {} points are left: {} dropped by class, {} withheld, {} not last "
-                        "returns, {} not finite; `ridgeline info` lists its classes",
-                        cloud.n_read, cloud.n_dropped_class, cloud.n_dropped_withheld,
-                        cloud.n_dropped_return, cloud.n_dropped_non_finite));
-}
-
 Evaluation evaluation_of(const io::LineSet& set,
                          std::vector<evaluate::JudgedResult> results,
                          const std::optional<evaluate::ConstantShift>& shift,

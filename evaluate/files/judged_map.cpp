@@ -166,14 +166,6 @@ std::vector<LineField> fields_of(const io::LineSet& set,
 
 double normal_part(const JudgedPlane& p, int axis) { return p.plane.normal()[axis]; }
 
-/// Direction of steepest descent, clockwise from north; std::nullopt for a level plane.
-std::optional<double> aspect_deg(const Plane3& plane) {
-  const Eigen::Vector3d n = plane.normal();
-  if (n.x() == 0.0 && n.y() == 0.0) return std::nullopt;
-  const double azimuth_deg = std::atan2(n.x(), n.y()) * kDegrees;
-  return azimuth_deg < 0.0 ? azimuth_deg + 360.0 : azimuth_deg;
-}
-
 using PlaneField = MapField<JudgedPlane>;
 
 const std::vector<PlaneField>& plane_fields() {

@@ -23,6 +23,8 @@ io::MapStyle to_fix_style();
 io::MapStyle missing_style();
 /// Roofs of the scan without a building as hatched areas.
 io::MapStyle missing_roofs_style();
+/// Edges of a scan by `kind`.
+io::MapStyle edge_kinds_style();
 /// Vectors as thin dark lines.
 io::MapStyle vectors_style();
 
