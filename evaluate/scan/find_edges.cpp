@@ -39,19 +39,21 @@ std::vector<Eigen::Vector3d> in_order(std::span<const Eigen::Vector3d> points) {
 
 class EdgeSearch {
  public:
-  explicit EdgeSearch(std::span<const Eigen::Vector3d> points)
+  EdgeSearch(std::span<const Eigen::Vector3d> points, const ScanOptions& options)
       : points_(points),
-        grid_(PointGrid::build(points.size(), [&](std::size_t i) { return points[i]; })) {}
+        grid_(PointGrid::build(points.size(), [&](std::size_t i) { return points[i]; })),
+        surroundings_(grid_, region_of_, is_roof_, options.only_roofs) {}
 
   ScanEdges find() {
     const Neighbours neighbours = nearest_neighbours(points_, kNeighbours);
     PlaneRegions planes = grow_planes(points_, neighbours);
-    const auto pairs = touching(planes, neighbours);
+    pairs_ = touching(planes, neighbours);
     region_of_ = std::move(planes.region_of);
     for (PlaneRegion& region : planes.regions)
-      regions_.push_back(make_scan_region(std::move(region), points_));
-    seams_ = find_seams(regions_, pairs);
+      regions_.push_back(make_scan_region(std::move(region), points_, neighbours));
+    seams_ = find_seams(regions_, pairs_);
     mark_roofs();
+    drop_small_roofs();
     add_planes();
     add_seams();
     add_borders();
@@ -108,7 +110,7 @@ class EdgeSearch {
         if (!regions_[r].is_upright) add_surroundings(r, around[bodies.name_of(r)]);
       for (std::size_t r = 0; r < regions_.size(); ++r) {
         const Surrounded& body = around[bodies.name_of(r)];
-        if (is_roof_[r] || regions_[r].is_upright || regions_[r].shape.area_m2 < kMinArea_m2 ||
+        if (is_roof_[r] || regions_[r].is_upright || regions_[r].area_m2() < kMinArea_m2 ||
             body.deep_m <= kMinDeepShare * (body.deep_m + body.other_m))
           continue;
         is_roof_[r] = changed = true;
@@ -116,23 +118,35 @@ class EdgeSearch {
     }
   }
 
+  /// The crowns of trees have small patches that are plane; a dormer is small, but touches a roof.
+  void drop_small_roofs() {
+    constexpr double kMinBody_m2 = 6.0;
+    DisjointSets bodies(regions_.size());
+    for (const auto& [a, b] : pairs_)
+      if (is_roof_[a] && is_roof_[b]) bodies.join(a, b);
+    std::vector<double> area_m2(regions_.size());
+    for (std::size_t r = 0; r < regions_.size(); ++r)
+      area_m2[bodies.name_of(r)] += regions_[r].area_m2();
+    for (std::size_t r = 0; r < regions_.size(); ++r)
+      if (area_m2[bodies.name_of(r)] < kMinBody_m2) is_roof_[r] = false;
+  }
+
   void add_surroundings(std::size_t r, Surrounded& sum) const {
     const ScanRegion& region = regions_[r];
-    for (const FreeSide& side : free_sides(region, seams_in_plane(r))) {
-      const auto& loop = region.shape.loops[side.loop];
-      const Eigen::Vector2d a = region.uv[loop[side.vertex]];
-      const Eigen::Vector2d b = region.uv[loop[(side.vertex + 1) % loop.size()]];
-      const Eigen::Vector2d d = (b - a).normalized();
-      const Seen seen = surroundings_.beyond(region, 0.5 * (a + b), {d.y(), -d.x()});
+    const std::vector<Segment2> seams = seams_in_plane(r);
+    for (const CellSide& side : coarse_border(region)) {
+      if (is_next_to_seam(region, side.middle_m, seams)) continue;
+      const Seen seen = surroundings_.beyond(region, side.middle_m, side.out);
       if (seen.what == Beyond::kNothing || (seen.what == Beyond::kHigher && seen.is_roof)) continue;
-      (seen.what == Beyond::kDeep ? sum.deep_m : sum.other_m) += (b - a).norm();
+      (seen.what == Beyond::kDeep ? sum.deep_m : sum.other_m) += region.spacing_m;
     }
   }
 
   void add_planes() {
     for (std::size_t r = 0; r < regions_.size(); ++r) {
+      if (is_roof_[r]) regions_[r].shape = alpha_shape(regions_[r].uv);
       ScanPlane plane{.fit = regions_[r].fit,
-                      .area_m2 = regions_[r].shape.area_m2,
+                      .area_m2 = regions_[r].area_m2(),
                       .is_roof = is_roof_[r],
                       .rings = {}};
       for (const auto& loop : regions_[r].shape.loops) {
@@ -153,7 +167,7 @@ class EdgeSearch {
       found.edge.kind = seam.is_valley ? "valley" : is_level(seam.segment) ? "ridge" : "hip";
       found.edge.support = seam.support;
       found.model = model_of_seam(seam.segment, regions_[a].fit, regions_[b].fit);
-      found.spacing_m = std::max(regions_[a].shape.spacing_m, regions_[b].shape.spacing_m);
+      found.spacing_m = std::max(regions_[a].spacing_m, regions_[b].spacing_m);
       set_along(found);
     }
   }
@@ -192,7 +206,7 @@ class EdgeSearch {
     found.edge.moved_out_m = line.moved_out_m;
     found.model = model_of_border(found.edge.segment, region.axes * Eigen::Vector2d(u.y(), -u.x()),
                                   region.fit, line);
-    found.spacing_m = region.shape.spacing_m;
+    found.spacing_m = region.spacing_m;
     set_along(found);
   }
 
@@ -221,20 +235,21 @@ class EdgeSearch {
   std::span<const Eigen::Vector3d> points_;
   PointGrid grid_;
   std::vector<ScanRegion> regions_;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs_;  ///< regions that touch each other
   std::vector<Seam> seams_;
   std::vector<int> region_of_;
   std::vector<bool> is_roof_;
-  Surroundings surroundings_{grid_, region_of_, is_roof_};
+  Surroundings surroundings_;
   std::vector<FoundEdge> edges_;
   ScanEdges result_;
 };
 
 }  // namespace
 
-ScanEdges find_edges(std::span<const Eigen::Vector3d> points_in_local) {
+ScanEdges find_edges(std::span<const Eigen::Vector3d> points_in_local, const ScanOptions& options) {
   const std::vector<Eigen::Vector3d> points = in_order(points_in_local);
   if (points.size() <= kNeighbours) return {};
-  return EdgeSearch(points).find();
+  return EdgeSearch(points, options).find();
 }
 
 }  // namespace ridgeline::evaluate
