@@ -16,7 +16,7 @@
 namespace ridgeline::results {
 namespace {
 
-using Corners = std::vector<Eigen::Vector2d>;
+using HullCorners = std::vector<Eigen::Vector2d>;
 
 /// An image of known size in the local frame.
 struct ScopeImage {
@@ -55,7 +55,7 @@ std::vector<ScopeImage> scope_images(const std::optional<io::Patch>& patch,
 }
 
 /// The hull of what the corners of an image show at the lowest and the highest object height.
-Corners shown_ground(const ScopeImage& image, const std::array<double, 2>& heights_m) {
+HullCorners shown_ground(const ScopeImage& image, const std::array<double, 2>& heights_m) {
   std::vector<Eigen::Vector2d> shown;
   const Eigen::AlignedBox2d window(Eigen::Vector2d::Constant(-0.5),
                                    image.size_px - Eigen::Vector2d::Constant(0.5));
@@ -70,7 +70,7 @@ Corners shown_ground(const ScopeImage& image, const std::array<double, 2>& heigh
 }
 
 /// The hull of the judged lines.
-Corners hull_of_lines(const JudgedFiles& judged) {
+HullCorners hull_of_lines(const JudgedFiles& judged) {
   std::vector<Eigen::Vector2d> ends;
   for (const evaluate::Evaluation& evaluation : judged.evaluations) {
     for (const evaluate::LineEvaluation& line : evaluation.lines) {
@@ -82,14 +82,14 @@ Corners hull_of_lines(const JudgedFiles& judged) {
   return evaluate::convex_hull(std::move(ends));
 }
 
-double perimeter_m(const Corners& corners) {
+double perimeter_m(const HullCorners& corners) {
   double sum_m = 0.0;
   for (std::size_t i = 0; i < corners.size(); ++i)
     sum_m += (corners[(i + 1) % corners.size()] - corners[i]).norm();
   return sum_m;
 }
 
-double area_m2_of(const Corners& corners) {
+double area_m2_of(const HullCorners& corners) {
   double twice_m2 = 0.0;
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
     twice_m2 += left_of_side(std::vector{corners[0], corners[i]}, 0, corners[i + 1]);
@@ -97,7 +97,7 @@ double area_m2_of(const Corners& corners) {
 }
 
 /// The places in a convex polygon and up to `by_m` around it.
-ScanArea area_around(const Corners& corners, double by_m, const char* from) {
+ScanArea area_around(const HullCorners& corners, double by_m, const char* from) {
   ScanArea area;
   area.scope.area_from = from;
   area.scope.contains = [](const Eigen::Vector2d&) { return false; };

@@ -56,7 +56,7 @@ std::uint64_t name_of(const ScanPlane& plane) {
   return name >> kSpareBits;
 }
 
-bool counts(const ScanEdge& edge, const ScanScope& scope) {
+bool is_expected(const ScanEdge& edge, const ScanScope& scope) {
   constexpr double kMinLength_m = 2.0;
   constexpr double kMinSupport = 0.8;
   return length(edge.segment) >= kMinLength_m && edge.support >= kMinSupport &&
@@ -79,7 +79,7 @@ std::vector<ExpectedEdge> expected_edges(std::span<const Segment3> lines,
                                          const ScanScope& scope) {
   std::vector<ExpectedEdge> edges;
   for (const ScanEdge& edge : scan.edges) {
-    if (!counts(edge, scope)) continue;
+    if (!is_expected(edge, scope)) continue;
     edges.push_back({.segment = edge.segment,
                      .kind = edge.kind,
                      .length_m = length(edge.segment),

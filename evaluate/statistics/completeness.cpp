@@ -64,11 +64,11 @@ std::optional<Interval> recall_interval(const CompletenessRow& row,
   return Interval{std::min(drawn->low, least->low), std::max(drawn->high, least->high)};
 }
 
-CompletenessRow row_of(const std::vector<ExpectedEdge>& edges,
-                       const std::vector<std::size_t>& clusters,
-                       std::string_view kind,
-                       const LengthClass& of_length,
-                       const BootstrapOptions& options) {
+CompletenessRow completeness_row(const std::vector<ExpectedEdge>& edges,
+                                 const std::vector<std::size_t>& clusters,
+                                 std::string_view kind,
+                                 const LengthClass& of_length,
+                                 const BootstrapOptions& options) {
   CompletenessRow row{.kind = std::string(kind), .length = of_length.name};
   CompensatedSum length_m, covered_m;
   std::map<std::size_t, EdgeCluster> sums;
@@ -113,7 +113,7 @@ std::vector<CompletenessRow> completeness_rows(const std::vector<ExpectedEdge>& 
   std::vector<CompletenessRow> rows;
   for (const std::string_view kind : kEdgeKinds) {
     for (const LengthClass& of_length : kLengthClasses) {
-      CompletenessRow row = row_of(edges, clusters, kind, of_length, options);
+      CompletenessRow row = completeness_row(edges, clusters, kind, of_length, options);
       if (row.n + row.n_not_shown > 0) rows.push_back(std::move(row));
     }
   }
