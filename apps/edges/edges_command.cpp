@@ -14,7 +14,6 @@
 #include "evaluate/scan/edge_kinds.h"
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/text_table.h"
-#include "io/error.h"
 #include "io/files/atomic_file.h"
 #include "io/files/expand_patterns.h"
 
@@ -41,13 +40,6 @@ results::EdgesOfCloud find_all_edges(io::CloudFiles& cloud, const CloudArguments
                                  [&](std::size_t n_done, std::size_t n_total) {
                                    progress.show(n_done, n_total, "cells of the map");
                                  });
-}
-
-void require_kept_points(const results::EdgesOfCloud& found, const io::CloudFiles& cloud) {
-  results::require_points(found.readings.cloud, cloud.path());
-  if (found.readings.n_kept > 0) return;
-  throw io::IoError(cloud.path(),
-                    "no point lies within `bounds`; must be in the cloud's own coordinates");
 }
 
 /// The page of the file: edges.html for edges.gpkg; empty for none.
@@ -87,10 +79,8 @@ int run_edges(const EdgesArguments& a) {
   results::EdgesOfCloud found = find_all_edges(cloud, a.cloud);
   warn_of(warnings);
   warn_of(found.readings.cloud.warnings);
-  require_kept_points(found, cloud);
-  std::erase_if(found.edges.edges, [&](const evaluate::ScanEdge& edge) {
-    return length(edge.segment) < a.min_length_m;
-  });
+  require_points(found.readings, cloud);
+  results::drop_short_edges(a.min_length_m, found.edges);
   results::write_scan_edges(a.out, found.edges, cloud, format, {.local_origin = a.local_origin});
   if (!page.empty()) {
     io::write_file(page, edges_page(results::cloud_name(a.cloud.clouds), found.edges, cloud));

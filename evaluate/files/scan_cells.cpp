@@ -4,6 +4,7 @@
 #include "evaluate/files/merge_cells.h"
 #include "evaluate/files/point_budget.h"
 #include "evaluate/scan/find_edges.h"
+#include "io/error.h"
 #include "reconstruct/geometry/interruption.h"
 
 #include <fmt/format.h>
@@ -323,6 +324,12 @@ EdgesOfCloud edges_of_cloud(io::CloudFiles& cloud,
   found.edges = in_area(std::move(found.edges),
                         {area_in_world_m->min() - origin, area_in_world_m->max() - origin});
   return found;
+}
+
+void require_points(const CloudReadings& readings, const io::CloudFiles& cloud) {
+  require_points(readings.cloud, cloud.path());
+  if (readings.n_kept > 0) return;
+  throw io::IoError(cloud.path(), no_point_in_bounds(cloud));
 }
 
 }  // namespace ridgeline::results

@@ -40,4 +40,7 @@ EdgesOfCloud edges_of_cloud(io::CloudFiles& cloud,
                             std::uint64_t max_memory_bytes,
                             const CellProgress& progress = {});
 
+/// Throws IoError if no point was read.
+void require_points(const CloudReadings& readings, const io::CloudFiles& cloud);
+
 }  // namespace ridgeline::results
