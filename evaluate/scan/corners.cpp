@@ -64,7 +64,8 @@ class Corners {
   void add_pair(std::size_t a, std::size_t b) {
     const auto x = crossing(edges_[a].edge.segment, edges_[b].edge.segment);
     if (!x) return;
-    const double reach_m = kCornerReachSpacings * std::max(edges_[a].spacing_m, edges_[b].spacing_m);
+    const double reach_m =
+        kCornerReachSpacings * std::max(edges_[a].spacing_m, edges_[b].spacing_m);
     const EdgeEnd end_a = nearer_end(a, *x), end_b = nearer_end(b, *x);
     const double distance_m =
         std::max((place_of(edges_, end_a) - *x).norm(), (place_of(edges_, end_b) - *x).norm());

@@ -39,19 +39,21 @@ std::vector<Eigen::Vector3d> in_order(std::span<const Eigen::Vector3d> points) {
 
 class EdgeSearch {
  public:
-  explicit EdgeSearch(std::span<const Eigen::Vector3d> points)
+  EdgeSearch(std::span<const Eigen::Vector3d> points, const ScanOptions& options)
       : points_(points),
-        grid_(PointGrid::build(points.size(), [&](std::size_t i) { return points[i]; })) {}
+        grid_(PointGrid::build(points.size(), [&](std::size_t i) { return points[i]; })),
+        surroundings_(grid_, region_of_, is_roof_, options.only_roofs) {}
 
   ScanEdges find() {
     const Neighbours neighbours = nearest_neighbours(points_, kNeighbours);
     PlaneRegions planes = grow_planes(points_, neighbours);
-    const auto pairs = touching(planes, neighbours);
+    pairs_ = touching(planes, neighbours);
     region_of_ = std::move(planes.region_of);
     for (PlaneRegion& region : planes.regions)
       regions_.push_back(make_scan_region(std::move(region), points_));
-    seams_ = find_seams(regions_, pairs);
+    seams_ = find_seams(regions_, pairs_);
     mark_roofs();
+    drop_small_roofs();
     add_planes();
     add_seams();
     add_borders();
@@ -114,6 +116,19 @@ class EdgeSearch {
         is_roof_[r] = changed = true;
       }
     }
+  }
+
+  /// The crowns of trees have small patches that are plane; a dormer is small, but touches a roof.
+  void drop_small_roofs() {
+    constexpr double kMinBody_m2 = 6.0;
+    DisjointSets bodies(regions_.size());
+    for (const auto& [a, b] : pairs_)
+      if (is_roof_[a] && is_roof_[b]) bodies.join(a, b);
+    std::vector<double> area_m2(regions_.size());
+    for (std::size_t r = 0; r < regions_.size(); ++r)
+      area_m2[bodies.name_of(r)] += regions_[r].shape.area_m2;
+    for (std::size_t r = 0; r < regions_.size(); ++r)
+      if (area_m2[bodies.name_of(r)] < kMinBody_m2) is_roof_[r] = false;
   }
 
   void add_surroundings(std::size_t r, Surrounded& sum) const {
@@ -221,20 +236,21 @@ class EdgeSearch {
   std::span<const Eigen::Vector3d> points_;
   PointGrid grid_;
   std::vector<ScanRegion> regions_;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs_;  ///< regions that touch each other
   std::vector<Seam> seams_;
   std::vector<int> region_of_;
   std::vector<bool> is_roof_;
-  Surroundings surroundings_{grid_, region_of_, is_roof_};
+  Surroundings surroundings_;
   std::vector<FoundEdge> edges_;
   ScanEdges result_;
 };
 
 }  // namespace
 
-ScanEdges find_edges(std::span<const Eigen::Vector3d> points_in_local) {
+ScanEdges find_edges(std::span<const Eigen::Vector3d> points_in_local, const ScanOptions& options) {
   const std::vector<Eigen::Vector3d> points = in_order(points_in_local);
   if (points.size() <= kNeighbours) return {};
-  return EdgeSearch(points).find();
+  return EdgeSearch(points, options).find();
 }
 
 }  // namespace ridgeline::evaluate

@@ -9,8 +9,15 @@
 
 namespace ridgeline::evaluate {
 
+struct ScanOptions {
+  /// The points are those of roofs alone, without ground: a roof then ends where they end. Without
+  /// it, that is the end of the scan, which is no edge.
+  bool only_roofs = false;
+};
+
 /// The planes of a scan and the edges of its roofs. The result does not depend on the order of the
 /// points. Points that are not finite, and further points at the same position, are ignored.
-ScanEdges find_edges(std::span<const Eigen::Vector3d> points_in_local);
+ScanEdges find_edges(std::span<const Eigen::Vector3d> points_in_local,
+                     const ScanOptions& options = {});
 
 }  // namespace ridgeline::evaluate

@@ -329,7 +329,8 @@ class Growth {
     return fit.n == 0 || std::sqrt(fit.spread_m2.y() / fit.n) < kMinHalfWidth_m;
   }
 
-  /// The median noise of the regions, by points.
+  /// The lower quartile of the noise of the regions, by points: ground and plants are rougher than
+  /// roofs.
   double usual_noise_m() const {
     std::vector<std::pair<double, std::size_t>> noise;
     std::size_t n = 0;
@@ -341,7 +342,7 @@ class Growth {
     std::size_t below = 0;
     for (const auto& [sigma_m, size] : noise) {
       below += size;
-      if (2 * below >= n) return sigma_m;
+      if (4 * below >= n) return sigma_m;
     }
     return 0.0;
   }

@@ -40,7 +40,10 @@ Seen Surroundings::beyond(const ScanRegion& region,
                           const Eigen::Vector2d& out) const {
   constexpr double kNear_m = 1.5, kFar_m = 6.0;
   const Seen near = within(region, x, out, kNear_m);
-  return near.what == Beyond::kNothing ? within(region, x, out, kFar_m) : near;
+  if (near.what != Beyond::kNothing) return near;
+  Seen far = within(region, x, out, kFar_m);
+  if (far.what == Beyond::kNothing && only_roofs_) far.what = Beyond::kDeep;
+  return far;
 }
 
 Beyond Surroundings::beyond(const ScanRegion& region, const Segment2& border) const {

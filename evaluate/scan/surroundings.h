@@ -33,10 +33,12 @@ class Surroundings {
  public:
   /// @param region_of  of each point; kNoRegion for some
   /// @param is_roof  of each region; what is written to it later counts
+  /// @param only_roofs  see ScanOptions; nothing is then kDeep
   Surroundings(const PointGrid& grid,
                const std::vector<int>& region_of,
-               const std::vector<bool>& is_roof)
-      : grid_(grid), region_of_(region_of), is_roof_(is_roof) {}
+               const std::vector<bool>& is_roof,
+               bool only_roofs)
+      : grid_(grid), region_of_(region_of), is_roof_(is_roof), only_roofs_(only_roofs) {}
 
   /// What lies outside of a region's border at x, in the direction `out`, both in its plane. Where
   /// nothing lies next to the border, as in the shadow of a building, it looks farther.
@@ -64,6 +66,7 @@ class Surroundings {
   const PointGrid& grid_;
   const std::vector<int>& region_of_;
   const std::vector<bool>& is_roof_;
+  bool only_roofs_;
 };
 
 template <typename Visitor>
