@@ -25,15 +25,18 @@ py::dict edges_of(const py::object& cloud, const py::dict& entries) {
   bool scale_to_ground = false;
   std::uint64_t cloud_memory_mib = 512;
   double min_length_m = 0.0;
+  evaluate::ScanOptions scan;
   take(entries, "scale_to_ground", scale_to_ground);
   take(entries, "cloud_memory_mib", cloud_memory_mib);
   take(entries, "min_length_m", min_length_m);
+  take(entries, "only_roofs", scan.only_roofs);
   const CloudInput input = cloud_input(cloud, entries);
   return dict_of(interruptibly([&] {
     io::CloudFiles files = input.open(options);
     std::vector<std::string> warnings;
     results::set_plan_scale(scale_to_ground, files, warnings);
-    results::EdgesOfCloud found = results::edges_of_cloud(files, {}, cloud_memory_mib << 20U);
+    results::EdgesOfCloud found =
+        results::edges_of_cloud(files, {}, cloud_memory_mib << 20U, {}, scan);
     require_points(found.readings, files);
     results::drop_short_edges(min_length_m, found.edges);
     io::LineSet lines = results::lines_of_scan(found.edges, files);

@@ -42,10 +42,11 @@ class EdgeSearch {
   EdgeSearch(std::span<const Eigen::Vector3d> points, const ScanOptions& options)
       : points_(points),
         grid_(PointGrid::build(points.size(), [&](std::size_t i) { return points[i]; })),
+        search_(options.neighbours),
         surroundings_(grid_, region_of_, is_roof_, options.only_roofs) {}
 
   ScanEdges find() {
-    const Neighbours neighbours = nearest_neighbours(points_, kNeighbours);
+    const Neighbours neighbours = search_(points_, kNeighbours);
     PlaneRegions planes = grow_planes(points_, neighbours);
     pairs_ = touching(planes, neighbours);
     region_of_ = std::move(planes.region_of);
@@ -235,6 +236,7 @@ class EdgeSearch {
 
   std::span<const Eigen::Vector3d> points_;
   PointGrid grid_;
+  const NeighbourSearch& search_;
   std::vector<ScanRegion> regions_;
   std::vector<std::pair<std::size_t, std::size_t>> pairs_;  ///< regions that touch each other
   std::vector<Seam> seams_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "evaluate/scan/neighbours.h"
 #include "evaluate/scan/scan_edges.h"
 
 #include <Eigen/Core>
@@ -13,6 +14,8 @@ struct ScanOptions {
   /// The points are those of roofs alone, without ground: a roof then ends where they end. Without
   /// it, that is the end of the scan, which is no edge.
   bool only_roofs = false;
+  /// Finds the neighbours of points that are sorted and all different.
+  NeighbourSearch neighbours = nearest_neighbours;
 };
 
 /// The planes of a scan and the edges of its roofs. The result does not depend on the order of the

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,10 @@ class Neighbours {
   std::size_t per_point_;
   std::vector<std::uint32_t> indices_;
 };
+
+/// A search for the nearest neighbours, such as nearest_neighbours().
+using NeighbourSearch =
+    std::function<Neighbours(std::span<const Eigen::Vector3d> points, std::size_t per_point)>;
 
 /// Searches a grid of cells in plan with about two points each, ring by ring.
 /// @param points  finite; more than `per_point` of them

@@ -2,7 +2,6 @@
 #include "evaluate/scan/roof_edge_extraction.h"
 
 #include "evaluate/judge/quiet_pcl.h"
-#include "evaluate/scan/find_edges.h"
 #include "reconstruct/geometry/check.h"
 
 #include <pcl/point_types.h>
@@ -21,15 +20,17 @@ ScanEdges RoofEdgeExtraction<PointT>::compute() {
   std::vector<Eigen::Vector3d> points;
   points.reserve(indices_->size());
   for (const pcl::index_t i : *indices_) {
-    points.push_back((*input_)[static_cast<std::size_t>(i)]
-                         .getVector3fMap()
-                         .template cast<double>());
+    points.push_back(
+        (*input_)[static_cast<std::size_t>(i)].getVector3fMap().template cast<double>());
   }
   deinitCompute();
-  if (!search_) return find_edges(points);
-  return find_edges(points, [this](std::span<const Eigen::Vector3d> x, std::size_t per_point) {
-    return searched_neighbours(x, per_point);
-  });
+  ScanOptions options = options_;
+  if (search_) {
+    options.neighbours = [this](std::span<const Eigen::Vector3d> x, std::size_t per_point) {
+      return searched_neighbours(x, per_point);
+    };
+  }
+  return find_edges(points, options);
 }
 
 /// PCL's own order of points at nearly the same distance depends on the search and on rounding, so

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "evaluate/scan/neighbours.h"
-#include "evaluate/scan/scan_edges.h"
+#include "evaluate/scan/find_edges.h"
 
 #include <pcl/pcl_base.h>
 #include <pcl/point_cloud.h>
@@ -35,6 +34,10 @@ class RoofEdgeExtraction : public pcl::PCLBase<PointT> {
   /// The search method; null if none was set.
   [[nodiscard]] const SearchPtr& getSearchMethod() const { return search_; }
 
+  /// Whether the points are those of roofs alone, without ground: see ScanOptions::only_roofs.
+  void setOnlyRoofs(bool only_roofs) { options_.only_roofs = only_roofs; }
+  [[nodiscard]] bool getOnlyRoofs() const { return options_.only_roofs; }
+
   /// The result of find_edges() for the points of the cloud, or those of setIndices(). Throws
   /// std::invalid_argument if there is no cloud, or if the search method does not find the points.
   ScanEdges compute();
@@ -48,6 +51,7 @@ class RoofEdgeExtraction : public pcl::PCLBase<PointT> {
   [[nodiscard]] Neighbours searched_neighbours(std::span<const Eigen::Vector3d> points,
                                                std::size_t per_point) const;
 
+  ScanOptions options_;
   SearchPtr search_;
 };
 // NOLINTEND(readability-identifier-naming)

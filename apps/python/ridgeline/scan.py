@@ -15,6 +15,7 @@ def edges(
     cloud: CloudLike,
     *,
     min_length_m: float = 1.0,
+    only_roofs: bool = False,
     bounds: Sequence[float] | None = None,
     classes: Iterable[int] | None = None,
     include_withheld: bool = False,
@@ -37,6 +38,8 @@ def edges(
     cloud: files or patterns (see read_cloud()), a Cloud, or an array (n, 3). Coordinates are map
         coordinates.
     min_length_m: shortest edge.
+    only_roofs: the points are those of roofs alone, as with classes=[6]: a roof then ends where the
+        points end.
     bounds ... salvage: options for reading the cloud, as for read_cloud().
     scale_to_ground: divide plan coordinates by the local map scale, as needed for Web Mercator; by
         default, data that are not true to scale are refused.
@@ -44,10 +47,11 @@ def edges(
     Arrays must not change during the call. Warns about suspicious inputs. Raises
     FileNotFoundError, InputFileError, and ValueError or TypeError for an invalid value.
     """
+    kept = None if classes is None else list(classes)
     options = {
         **cloud_options(
             bounds,
-            classes,
+            kept,
             include_withheld=include_withheld,
             last_returns=last_returns,
             max_resolution_m=max_resolution_m,
@@ -58,6 +62,7 @@ def edges(
         ),
         "cloud_memory_mib": cloud_memory_mib,
         "min_length_m": float(min_length_m),
+        "only_roofs": only_roofs or kept == [6],
         "scale_to_ground": scale_to_ground,
     }
     points, of_points = cloud_source(cloud, strict=strict)
