@@ -255,7 +255,7 @@ std::string edges_page(const std::string& name, const ScanEdges& edges, io::Clou
                       {"notes", notes_json(edges, n_roofs)}};
   return report_page(fmt::format("Edges of {}", name),
                      page.dump(-1, ' ', false, PageJson::error_handler_t::replace),
-                     edges_front_end());
+                     edges_front_end(), "The file of lines next to it has the same edges.");
 }
 
 }  // namespace ridgeline::apps
