@@ -111,7 +111,6 @@ AlphaShape alpha_shape(std::span<const Eigen::Vector2d> points_m) {
   const double limit_m = largest_radius_m(triangles);
   std::erase_if(triangles, [&](const Triangle& t) { return t.circumradius_m > limit_m; });
   for (const Triangle& t : triangles) shape.area_m2 += area_m2(t, points_m);
-  shape.spacing_m = std::sqrt(shape.area_m2 / static_cast<double>(points_m.size()));
   shape.loops = loops_of(triangles);
   return shape;
 }

@@ -14,7 +14,6 @@ namespace ridgeline::evaluate {
 /// Edelsbrunner 1983).
 struct AlphaShape {
   double area_m2 = 0.0;
-  double spacing_m = 0.0;  ///< 1 / sqrt(points per area)
   /// The border: closed chains of indices of points; the area lies to their left. The outer border
   /// runs counter-clockwise, holes clockwise.
   std::vector<std::vector<std::size_t>> loops;

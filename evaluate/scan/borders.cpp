@@ -132,7 +132,7 @@ void set_usual_slope(const UsualAxes& axes, const Eigen::Vector2d& along, Border
 /// Whether points cover the area behind a border: a line across a corner or a gap leaves it empty.
 /// @param t_m  of the points next to it, relative to the border
 bool is_covered(std::span<const double> t_m, double length_m, double spacing_m) {
-  constexpr double kStrip = 1.5, kMinShare = 0.6;
+  constexpr double kStrip = 1.5, kMinShare = 0.7;
   const double width_m = kStrip * spacing_m;
   const auto n = std::ranges::count_if(t_m, [&](double t) { return t > -width_m; });
   return static_cast<double>(n) >= kMinShare * width_m * length_m / (spacing_m * spacing_m);
@@ -141,7 +141,7 @@ bool is_covered(std::span<const double> t_m, double length_m, double spacing_m) 
 std::optional<Border> fit_border(const ScanRegion& region,
                                  const UsualAxes& axes,
                                  const Segment2& chord) {
-  const double length_m = length(chord), spacing_m = region.shape.spacing_m;
+  const double length_m = length(chord), spacing_m = region.spacing_m;
   const Eigen::Vector2d u = along(chord), right(u.y(), -u.x());
   std::vector<Eigen::Vector2d> st;
   for (const Eigen::Vector2d& uv : region.uv) {
@@ -162,6 +162,8 @@ std::optional<Border> fit_border(const ScanRegion& region,
   set_usual_slope(axes, u, points);
   Border border;
   border.line = border_line(points);
+  if (std::isfinite(points.usual_slope))
+    border.off_axis_rad = std::abs(std::atan(border.line.slope) - std::atan(points.usual_slope));
   const auto at = [&](double s) -> Eigen::Vector2d {
     return chord.start + s * u +
            (border.line.offset_m + border.line.slope * (s - 0.5 * length_m)) * right;
@@ -187,7 +189,7 @@ bool is_next_to(const Eigen::Vector2d& x, std::span<const Segment2> seams, doubl
 std::vector<Chain> chains_of(const ScanRegion& region,
                              const std::vector<std::size_t>& loop,
                              std::span<const Segment2> seams) {
-  const double reach_m = kSeamReachSpacings * region.shape.spacing_m;
+  const double reach_m = kSeamReachSpacings * region.spacing_m;
   const std::size_t n = loop.size();
   const auto vertex = [&](std::size_t i) { return region.uv[loop[i % n]]; };
   std::vector<char> is_free(n);
@@ -232,25 +234,17 @@ double supported_share(std::span<const Eigen::Vector2d> st_m, double length_m, d
   return covered_m / length_m;
 }
 
-std::vector<FreeSide> free_sides(const ScanRegion& region, std::span<const Segment2> seams) {
-  const double reach_m = kSeamReachSpacings * region.shape.spacing_m;
-  std::vector<FreeSide> sides;
-  for (std::size_t l = 0; l < region.shape.loops.size(); ++l) {
-    const auto& loop = region.shape.loops[l];
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Eigen::Vector2d middle =
-          0.5 * (region.uv[loop[i]] + region.uv[loop[(i + 1) % loop.size()]]);
-      if (!is_next_to(middle, seams, reach_m)) sides.push_back({l, i});
-    }
-  }
-  return sides;
+bool is_next_to_seam(const ScanRegion& region,
+                     const Eigen::Vector2d& x,
+                     std::span<const Segment2> seams) {
+  return is_next_to(x, seams, kSeamReachSpacings * region.spacing_m);
 }
 
 namespace {
 
 /// The chords of the straight parts of a region's border.
 std::vector<Segment2> chords_of(const ScanRegion& region, std::span<const Segment2> seams) {
-  const double tolerance_m = kChordSpacings * region.shape.spacing_m;
+  const double tolerance_m = kChordSpacings * region.spacing_m;
   std::vector<Segment2> chords;
   for (const auto& loop : region.shape.loops) {
     for (const Chain& chain : chains_of(region, loop, seams)) {

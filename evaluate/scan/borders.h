@@ -18,6 +18,7 @@ struct Border {
   Segment2 uv_m;
   BorderLine line;  ///< in the frame of the segment: s from its start, t to its right
   double support = 0.0;
+  double off_axis_rad = 0.0;  ///< from the direction that its borders usually have, if any
 };
 
 /// The straight parts of a region's border that are no seams, in the order of its loops.
@@ -27,11 +28,9 @@ std::vector<Border> find_borders(const ScanRegion& region, std::span<const Segme
 /// The share of a line's length with points within reach along it; x of the points is the place.
 double supported_share(std::span<const Eigen::Vector2d> st_m, double length_m, double reach_m);
 
-/// Sides of the alpha shape that are not next to a seam: index of the loop and of the vertex where
-/// the side begins.
-struct FreeSide {
-  std::size_t loop, vertex;
-};
-std::vector<FreeSide> free_sides(const ScanRegion& region, std::span<const Segment2> seams);
+/// Whether a place on the border of a region belongs to one of its seams.
+bool is_next_to_seam(const ScanRegion& region,
+                     const Eigen::Vector2d& x,
+                     std::span<const Segment2> seams);
 
 }  // namespace ridgeline::evaluate

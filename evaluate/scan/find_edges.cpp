@@ -9,6 +9,7 @@
 #include "evaluate/scan/scan_region.h"
 #include "evaluate/scan/seams.h"
 #include "evaluate/scan/surroundings.h"
+#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/disjoint_sets.h"
 #include "reconstruct/geometry/faces/roof_edge.h"
 
@@ -24,6 +25,7 @@ namespace {
 
 constexpr std::size_t kNeighbours = 12;
 constexpr double kMinArea_m2 = 1.0;
+constexpr double kMaxFootOffAxis_deg = 5.0;
 
 std::vector<Eigen::Vector3d> in_order(std::span<const Eigen::Vector3d> points) {
   std::vector<Eigen::Vector3d> sorted;
@@ -42,16 +44,14 @@ class EdgeSearch {
   EdgeSearch(std::span<const Eigen::Vector3d> points, const ScanOptions& options)
       : points_(points),
         grid_(PointGrid::build(points.size(), [&](std::size_t i) { return points[i]; })),
-        search_(options.neighbours),
         surroundings_(grid_, region_of_, is_roof_, options.only_roofs) {}
 
-  ScanEdges find() {
-    const Neighbours neighbours = search_(points_, kNeighbours);
+  ScanEdges find(const Neighbours& neighbours) {
     PlaneRegions planes = grow_planes(points_, neighbours);
     pairs_ = touching(planes, neighbours);
     region_of_ = std::move(planes.region_of);
     for (PlaneRegion& region : planes.regions)
-      regions_.push_back(make_scan_region(std::move(region), points_));
+      regions_.push_back(make_scan_region(std::move(region), points_, neighbours));
     seams_ = find_seams(regions_, pairs_);
     mark_roofs();
     drop_small_roofs();
@@ -111,7 +111,7 @@ class EdgeSearch {
         if (!regions_[r].is_upright) add_surroundings(r, around[bodies.name_of(r)]);
       for (std::size_t r = 0; r < regions_.size(); ++r) {
         const Surrounded& body = around[bodies.name_of(r)];
-        if (is_roof_[r] || regions_[r].is_upright || regions_[r].shape.area_m2 < kMinArea_m2 ||
+        if (is_roof_[r] || regions_[r].is_upright || regions_[r].area_m2() < kMinArea_m2 ||
             body.deep_m <= kMinDeepShare * (body.deep_m + body.other_m))
           continue;
         is_roof_[r] = changed = true;
@@ -127,28 +127,27 @@ class EdgeSearch {
       if (is_roof_[a] && is_roof_[b]) bodies.join(a, b);
     std::vector<double> area_m2(regions_.size());
     for (std::size_t r = 0; r < regions_.size(); ++r)
-      area_m2[bodies.name_of(r)] += regions_[r].shape.area_m2;
+      area_m2[bodies.name_of(r)] += regions_[r].area_m2();
     for (std::size_t r = 0; r < regions_.size(); ++r)
       if (area_m2[bodies.name_of(r)] < kMinBody_m2) is_roof_[r] = false;
   }
 
   void add_surroundings(std::size_t r, Surrounded& sum) const {
     const ScanRegion& region = regions_[r];
-    for (const FreeSide& side : free_sides(region, seams_in_plane(r))) {
-      const auto& loop = region.shape.loops[side.loop];
-      const Eigen::Vector2d a = region.uv[loop[side.vertex]];
-      const Eigen::Vector2d b = region.uv[loop[(side.vertex + 1) % loop.size()]];
-      const Eigen::Vector2d d = (b - a).normalized();
-      const Seen seen = surroundings_.beyond(region, 0.5 * (a + b), {d.y(), -d.x()});
+    const std::vector<Segment2> seams = seams_in_plane(r);
+    for (const CellSide& side : coarse_border(region)) {
+      if (is_next_to_seam(region, side.middle_m, seams)) continue;
+      const Seen seen = surroundings_.beyond(region, side.middle_m, side.out);
       if (seen.what == Beyond::kNothing || (seen.what == Beyond::kHigher && seen.is_roof)) continue;
-      (seen.what == Beyond::kDeep ? sum.deep_m : sum.other_m) += (b - a).norm();
+      (seen.what == Beyond::kDeep ? sum.deep_m : sum.other_m) += region.spacing_m;
     }
   }
 
   void add_planes() {
     for (std::size_t r = 0; r < regions_.size(); ++r) {
+      if (is_roof_[r]) regions_[r].shape = alpha_shape(regions_[r].uv);
       ScanPlane plane{.fit = regions_[r].fit,
-                      .area_m2 = regions_[r].shape.area_m2,
+                      .area_m2 = regions_[r].area_m2(),
                       .is_roof = is_roof_[r],
                       .rings = {}};
       for (const auto& loop : regions_[r].shape.loops) {
@@ -169,7 +168,7 @@ class EdgeSearch {
       found.edge.kind = seam.is_valley ? "valley" : is_level(seam.segment) ? "ridge" : "hip";
       found.edge.support = seam.support;
       found.model = model_of_seam(seam.segment, regions_[a].fit, regions_[b].fit);
-      found.spacing_m = std::max(regions_[a].shape.spacing_m, regions_[b].shape.spacing_m);
+      found.spacing_m = std::max(regions_[a].spacing_m, regions_[b].spacing_m);
       set_along(found);
     }
   }
@@ -187,6 +186,8 @@ class EdgeSearch {
     const std::optional<Rim> rim = find_rim(regions_[r], border, surroundings_);
     if (!rim && (beyond == Beyond::kNothing || beyond == Beyond::kLevel)) return;
     const bool is_foot = rim || beyond == Beyond::kHigher;
+    // a hole around a dormer or a chimney that the points do not show in full
+    if (is_foot && border.off_axis_rad > kMaxFootOffAxis_deg * kRadPerDeg) return;
     add_border_edge(r, border.uv_m, border.line, border.support, is_foot);
     if (!rim) return;
     const double variance_m2 = rim->sigma_height_m * rim->sigma_height_m;
@@ -208,7 +209,7 @@ class EdgeSearch {
     found.edge.moved_out_m = line.moved_out_m;
     found.model = model_of_border(found.edge.segment, region.axes * Eigen::Vector2d(u.y(), -u.x()),
                                   region.fit, line);
-    found.spacing_m = region.shape.spacing_m;
+    found.spacing_m = region.spacing_m;
     set_along(found);
   }
 
@@ -236,7 +237,6 @@ class EdgeSearch {
 
   std::span<const Eigen::Vector3d> points_;
   PointGrid grid_;
-  const NeighbourSearch& search_;
   std::vector<ScanRegion> regions_;
   std::vector<std::pair<std::size_t, std::size_t>> pairs_;  ///< regions that touch each other
   std::vector<Seam> seams_;
@@ -249,10 +249,12 @@ class EdgeSearch {
 
 }  // namespace
 
-ScanEdges find_edges(std::span<const Eigen::Vector3d> points_in_local, const ScanOptions& options) {
+ScanEdges find_edges(std::span<const Eigen::Vector3d> points_in_local,
+                     const ScanOptions& options,
+                     const NeighbourSearch& search) {
   const std::vector<Eigen::Vector3d> points = in_order(points_in_local);
   if (points.size() <= kNeighbours) return {};
-  return EdgeSearch(points, options).find();
+  return EdgeSearch(points, options).find(search(points, kNeighbours));
 }
 
 }  // namespace ridgeline::evaluate

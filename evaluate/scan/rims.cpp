@@ -61,7 +61,7 @@ std::optional<Rim> find_rim(const ScanRegion& region,
   if (points.size() < kMinRimPoints || n < kMinShare * n_all) return std::nullopt;
   std::vector<Eigen::Vector2d> st;
   for (const RimPoint& p : points) st.push_back(p.st);
-  if (supported_share(st, length_m, kRimReachSpacings * region.shape.spacing_m) < kMinSupport)
+  if (supported_share(st, length_m, kRimReachSpacings * region.spacing_m) < kMinSupport)
     return std::nullopt;
   rim.sigma_height_m = sigma_m / std::sqrt(n);
   constexpr double kParallel_deg = 0.5;

@@ -24,13 +24,11 @@ ScanEdges RoofEdgeExtraction<PointT>::compute() {
         (*input_)[static_cast<std::size_t>(i)].getVector3fMap().template cast<double>());
   }
   deinitCompute();
-  ScanOptions options = options_;
-  if (search_) {
-    options.neighbours = [this](std::span<const Eigen::Vector3d> x, std::size_t per_point) {
-      return searched_neighbours(x, per_point);
-    };
-  }
-  return find_edges(points, options);
+  if (!search_) return find_edges(points, options_);
+  return find_edges(points, options_,
+                    [this](std::span<const Eigen::Vector3d> x, std::size_t per_point) {
+                      return searched_neighbours(x, per_point);
+                    });
 }
 
 /// PCL's own order of points at nearly the same distance depends on the search and on rounding, so

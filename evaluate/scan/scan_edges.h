@@ -17,7 +17,8 @@ struct ScanPlane {
   PlaneFit fit;
   double area_m2 = 0.0;  ///< covered by its points, on the plane
   bool is_roof = false;  ///< whether most of its border lies above what surrounds it
-  /// The border of its points: the outer ring, then holes; not closed.
+  /// Of roofs, the border of their points: closed chains without a repeated first point, with the
+  /// plane to the left seen from above. Empty for other planes.
   std::vector<std::vector<Eigen::Vector3d>> rings;
 };
 

@@ -18,9 +18,13 @@ struct ScanRegion {
   std::vector<std::size_t> points;   ///< indices
   Eigen::Matrix<double, 3, 2> axes;  ///< u and v in the local frame
   std::vector<Eigen::Vector2d> uv;   ///< of `points`, m
-  AlphaShape shape;
-  bool is_upright = false;  ///< a wall
+  double spacing_m = 0.0;            ///< 1 / sqrt(points per area)
+  bool is_upright = false;           ///< a wall
+  AlphaShape shape;                  ///< of roofs only
 
+  [[nodiscard]] double area_m2() const {
+    return static_cast<double>(points.size()) * spacing_m * spacing_m;
+  }
   [[nodiscard]] Eigen::Vector2d in_plane(const Eigen::Vector3d& x) const {
     return axes.transpose() * (x - fit.centroid);
   }
@@ -29,6 +33,17 @@ struct ScanRegion {
   }
 };
 
-ScanRegion make_scan_region(PlaneRegion region, std::span<const Eigen::Vector3d> points);
+ScanRegion make_scan_region(PlaneRegion region,
+                            std::span<const Eigen::Vector3d> points,
+                            const Neighbours& neighbours);
+
+/// A side of the cells that a region covers, in its plane.
+struct CellSide {
+  Eigen::Vector2d middle_m, out;  ///< `out` is a unit vector
+};
+
+/// The border of a region by cells of a few spacings: coarse, but much faster than its alpha shape,
+/// which for the ground of a cell of the map would take most of the time.
+std::vector<CellSide> coarse_border(const ScanRegion& region);
 
 }  // namespace ridgeline::evaluate

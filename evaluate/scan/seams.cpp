@@ -80,7 +80,7 @@ void add_seams(std::span<const ScanRegion> regions,
                std::vector<Seam>& seams) {
   const auto line = intersection_of(regions[a], regions[b]);
   if (!line) return;
-  const double spacing_m = std::max(regions[a].shape.spacing_m, regions[b].shape.spacing_m);
+  const double spacing_m = std::max(regions[a].spacing_m, regions[b].spacing_m);
   const double reach_m = kSeamReach * spacing_m, support_m = kSeamSupport * spacing_m;
   const bool is_valley = regions[b].fit.plane.signedDistance(regions[a].fit.centroid) > 0.0;
   const std::vector<Interval1> on_a = covered(regions[a], *line, reach_m, support_m);
