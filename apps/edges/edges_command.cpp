@@ -14,7 +14,6 @@
 #include "evaluate/scan/edge_kinds.h"
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/text_table.h"
-#include "io/error.h"
 #include "io/files/atomic_file.h"
 #include "io/files/expand_patterns.h"
 
@@ -27,27 +26,24 @@
 namespace ridgeline::apps {
 namespace {
 
+constexpr int kBuilding = 6;  // class of ASPRS
+
 struct EdgesArguments {
   CloudArguments cloud;
   std::string out, format;
   double min_length_m = 1.0;
-  bool report = true, overwrite = false, local_origin = false;
+  bool only_roofs = false, report = true, overwrite = false, local_origin = false;
 };
 
 /// Reads the cloud and finds its edges, with a progress bar.
-results::EdgesOfCloud find_all_edges(io::CloudFiles& cloud, const CloudArguments& a) {
+results::EdgesOfCloud find_all_edges(io::CloudFiles& cloud, const EdgesArguments& a) {
   Progress progress(1);
-  return results::edges_of_cloud(cloud, {}, a.cloud_memory_mib << 20U,
-                                 [&](std::size_t n_done, std::size_t n_total) {
-                                   progress.show(n_done, n_total, "cells of the map");
-                                 });
-}
-
-void require_kept_points(const results::EdgesOfCloud& found, const io::CloudFiles& cloud) {
-  results::require_points(found.readings.cloud, cloud.path());
-  if (found.readings.n_kept > 0) return;
-  throw io::IoError(cloud.path(),
-                    "no point lies within `bounds`; must be in the cloud's own coordinates");
+  return results::edges_of_cloud(
+      cloud, {}, a.cloud.cloud_memory_mib << 20U,
+      [&](std::size_t n_done, std::size_t n_total) {
+        progress.show(n_done, n_total, "cells of the map");
+      },
+      {.only_roofs = a.only_roofs || a.cloud.classes == std::vector<int>{kBuilding}});
 }
 
 /// The page of the file: edges.html for edges.gpkg; empty for none.
@@ -84,13 +80,11 @@ int run_edges(const EdgesArguments& a) {
   io::CloudFiles cloud(a.cloud.clouds, read_options(a.cloud));
   std::vector<std::string> warnings;
   results::set_plan_scale(a.cloud.scale_to_ground, cloud, warnings);
-  results::EdgesOfCloud found = find_all_edges(cloud, a.cloud);
+  results::EdgesOfCloud found = find_all_edges(cloud, a);
   warn_of(warnings);
   warn_of(found.readings.cloud.warnings);
-  require_kept_points(found, cloud);
-  std::erase_if(found.edges.edges, [&](const evaluate::ScanEdge& edge) {
-    return length(edge.segment) < a.min_length_m;
-  });
+  require_points(found.readings, cloud);
+  results::drop_short_edges(a.min_length_m, found.edges);
   results::write_scan_edges(a.out, found.edges, cloud, format, {.local_origin = a.local_origin});
   if (!page.empty()) {
     io::write_file(page, edges_page(results::cloud_name(a.cloud.clouds), found.edges, cloud));
@@ -115,6 +109,9 @@ Run add_edges(CLI::App& subcommand) {
   subcommand.add_option("--min-length-m", a->min_length_m, "shortest edge to write, m")
       ->check(in_range(0.0, 1e6))
       ->capture_default_str();
+  subcommand.add_flag("--only-roofs", a->only_roofs,
+                      "the points are those of roofs alone, as with --classes 6: a roof then ends "
+                      "where the points end");
   add_assume_crs_option(subcommand, a->cloud);
   add_scale_to_ground_flag(subcommand, a->cloud);
   subcommand.add_flag("!--no-report", a->report,

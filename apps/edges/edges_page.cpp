@@ -110,16 +110,17 @@ PageJson section_planes(const SectionPlace& place, const ScanEdges& edges) {
       const double z = height_at(plane.fit.plane, place.middle.head<2>() + t * place.right);
       return std::array{to_cm(t), to_cm(z - place.middle.z())};
     };
-    std::optional<double> first;
+    constexpr int kNone = kSteps + 2;
+    int first = kNone;
     for (int i = -kSteps; i <= kSteps + 1; ++i) {
-      const double t = i * kStep_m;
-      const bool inside = i <= kSteps && outline.contains(place.middle.head<2>() + t * place.right);
-      if (inside && !first) first = t;
-      if (inside || !first) continue;
-      const auto [t0, z0] = end(*first);
-      const auto [t1, z1] = end(t - kStep_m);
+      const bool inside =
+          i <= kSteps && outline.contains(place.middle.head<2>() + i * kStep_m * place.right);
+      if (inside && first == kNone) first = i;
+      if (inside || first == kNone) continue;
+      const auto [t0, z0] = end(first * kStep_m);
+      const auto [t1, z1] = end((i - 1) * kStep_m);
       json.push_back({t0, z0, t1, z1});
-      first.reset();
+      first = kNone;
     }
   }
   return json;
@@ -254,7 +255,7 @@ std::string edges_page(const std::string& name, const ScanEdges& edges, io::Clou
                       {"notes", notes_json(edges, n_roofs)}};
   return report_page(fmt::format("Edges of {}", name),
                      page.dump(-1, ' ', false, PageJson::error_handler_t::replace),
-                     edges_front_end());
+                     edges_front_end(), "The file of lines next to it has the same edges.");
 }
 
 }  // namespace ridgeline::apps

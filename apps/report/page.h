@@ -21,7 +21,12 @@ std::string script_safe(std::string_view json);
 
 /// Returns the whole page: one file that needs no network and whose content security policy
 /// prevents it from loading anything. `data` is JSON, from which the front end builds everything
-/// that is shown.
-std::string report_page(std::string_view title, std::string_view data, const FrontEnd& front_end);
+/// that is shown. `elsewhere`: a sentence for readers without JavaScript.
+std::string report_page(
+    std::string_view title,
+    std::string_view data,
+    const FrontEnd& front_end,
+    std::string_view elsewhere =
+        "The tables next to it, starting with table2.md, have the same figures.");
 
 }  // namespace ridgeline::apps

@@ -46,4 +46,10 @@ void require_points(const io::PointCloud& cloud, const std::string& path) {
                         cloud.n_dropped_return, cloud.n_dropped_non_finite));
 }
 
+std::string no_point_in_bounds(const io::CloudFiles& cloud) {
+  return fmt::format(
+      "no point lies within `bounds`; must be in the cloud's own coordinates, [{}], unit {}",
+      io::describe(cloud.crs()).name, io::unit_text(cloud.unit_m().x() * cloud.plan_scale().x()));
+}
+
 }  // namespace ridgeline::results

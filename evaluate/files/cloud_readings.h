@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "io/cloud/cloud_files.h"
 #include "io/cloud/point_cloud.h"
 
 #include <cstddef>
@@ -23,5 +24,8 @@ void add_reading(io::PointCloud part, std::uint64_t n_kept, CloudReadings& sum);
 /// Throws IoError if the files have no points, or if the options keep none of them wherever they
 /// lie.
 void require_points(const io::PointCloud& cloud, const std::string& path);
+
+/// The message if no point lies within the bounds of the options.
+std::string no_point_in_bounds(const io::CloudFiles& cloud);
 
 }  // namespace ridgeline::results

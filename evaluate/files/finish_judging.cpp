@@ -163,12 +163,7 @@ void require_frame_of_cloud(const Evaluation& evaluation,
     return;
   }
   if (cloud_box.isEmpty()) {
-    throw io::IoError(
-        cloud.path(),
-        fmt::format("no point lies within `bounds`; must be in the cloud's own coordinates, [{}], "
-                    "unit {}",
-                    io::describe(cloud.crs()).name,
-                    io::unit_text(cloud.unit_m().x() * cloud.plan_scale().x())));
+    throw io::IoError(cloud.path(), no_point_in_bounds(cloud));
   }
   throw io::IoError(
       set.path,

@@ -3,7 +3,7 @@
 
 #include "evaluate/files/merge_cells.h"
 #include "evaluate/files/point_budget.h"
-#include "evaluate/scan/find_edges.h"
+#include "io/error.h"
 #include "reconstruct/geometry/interruption.h"
 
 #include <fmt/format.h>
@@ -175,8 +175,11 @@ class PointsByCell {
 
 class CellReader {
  public:
-  CellReader(io::CloudFiles& cloud, std::uint64_t max_points, const CellProgress& progress)
-      : cloud_(cloud), max_points_(max_points), progress_(progress) {}
+  CellReader(io::CloudFiles& cloud,
+             std::uint64_t max_points,
+             const CellProgress& progress,
+             const evaluate::ScanOptions& options)
+      : cloud_(cloud), max_points_(max_points), progress_(progress), options_(options) {}
 
   /// Finds the edges of all cells of the cloud.
   void find_all() {
@@ -242,7 +245,7 @@ class CellReader {
     found_.resize(n_before + cells.size());
     tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t i) {
       Interruption::check();
-      found_[n_before + i] = {cells[i], evaluate::find_edges(points.around(cells[i]))};
+      found_[n_before + i] = {cells[i], evaluate::find_edges(points.around(cells[i]), options_)};
       report();
     });
     cloud.points = {};
@@ -258,6 +261,7 @@ class CellReader {
   io::CloudFiles& cloud_;
   std::uint64_t max_points_;
   const CellProgress& progress_;
+  const evaluate::ScanOptions& options_;
   std::vector<FoundInCell> found_;
   CloudReadings readings_;
   std::mutex reporting_;
@@ -299,10 +303,11 @@ ScanEdges in_area(ScanEdges all, const Eigen::AlignedBox2d& area) {
 EdgesOfCloud edges_of_cloud(io::CloudFiles& cloud,
                             const std::optional<Eigen::AlignedBox2d>& area_in_world_m,
                             std::uint64_t max_memory_bytes,
-                            const CellProgress& progress) {
+                            const CellProgress& progress,
+                            const evaluate::ScanOptions& options) {
   const std::uint64_t max_points = max_memory_bytes / kBytesPerPoint;
   if (!area_in_world_m) {
-    CellReader reader(cloud, max_points, progress);
+    CellReader reader(cloud, max_points, progress, options);
     reader.find_all();
     return reader.take();
   }
@@ -310,7 +315,7 @@ EdgesOfCloud edges_of_cloud(io::CloudFiles& cloud,
   const CellRange cells =
       cells_around({area_in_world_m->min() - margin_m, area_in_world_m->max() + margin_m});
   const auto find_there = [&] {
-    CellReader reader(cloud, max_points, progress);
+    CellReader reader(cloud, max_points, progress, options);
     reader.find(cells);
     return reader.take();
   };
@@ -323,6 +328,12 @@ EdgesOfCloud edges_of_cloud(io::CloudFiles& cloud,
   found.edges = in_area(std::move(found.edges),
                         {area_in_world_m->min() - origin, area_in_world_m->max() - origin});
   return found;
+}
+
+void require_points(const CloudReadings& readings, const io::CloudFiles& cloud) {
+  require_points(readings.cloud, cloud.path());
+  if (readings.n_kept > 0) return;
+  throw io::IoError(cloud.path(), no_point_in_bounds(cloud));
 }
 
 }  // namespace ridgeline::results

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "evaluate/files/cloud_readings.h"
-#include "evaluate/scan/scan_edges.h"
+#include "evaluate/scan/find_edges.h"
 #include "io/cloud/cloud_files.h"
 
 #include <Eigen/Geometry>
@@ -38,6 +38,10 @@ using CellProgress = std::function<void(std::size_t n_done, std::size_t n_total)
 EdgesOfCloud edges_of_cloud(io::CloudFiles& cloud,
                             const std::optional<Eigen::AlignedBox2d>& area_in_world_m,
                             std::uint64_t max_memory_bytes,
-                            const CellProgress& progress = {});
+                            const CellProgress& progress = {},
+                            const evaluate::ScanOptions& options = {});
+
+/// Throws IoError if no point was read.
+void require_points(const CloudReadings& readings, const io::CloudFiles& cloud);
 
 }  // namespace ridgeline::results

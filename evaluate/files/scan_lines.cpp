@@ -133,6 +133,11 @@ io::LineSet lines_of_scan(const evaluate::ScanEdges& edges, const io::CloudFiles
   return set;
 }
 
+void drop_short_edges(double min_length_m, evaluate::ScanEdges& edges) {
+  std::erase_if(edges.edges,
+                [&](const ScanEdge& edge) { return length(edge.segment) < min_length_m; });
+}
+
 void write_scan_edges(const std::string& path,
                       const evaluate::ScanEdges& edges,
                       const io::CloudFiles& cloud,

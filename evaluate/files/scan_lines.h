@@ -14,6 +14,9 @@ namespace ridgeline::results {
 /// `moved_out_m`. Ids are numbers from 1; `plane_ids` likewise refer to ScanEdges::planes.
 io::LineSet lines_of_scan(const evaluate::ScanEdges& edges, const io::CloudFiles& cloud);
 
+/// Removes the edges shorter than this.
+void drop_short_edges(double min_length_m, evaluate::ScanEdges& edges);
+
 /// Writes the lines of lines_of_scan(). A GeoPackage is a map: the lines coloured by kind, and in
 /// the layer `planes` the roof planes, with their ids as in `plane_ids`. Throws IoError if the file
 /// cannot be written.

@@ -132,7 +132,7 @@ void set_usual_slope(const UsualAxes& axes, const Eigen::Vector2d& along, Border
 /// Whether points cover the area behind a border: a line across a corner or a gap leaves it empty.
 /// @param t_m  of the points next to it, relative to the border
 bool is_covered(std::span<const double> t_m, double length_m, double spacing_m) {
-  constexpr double kStrip = 1.5, kMinShare = 0.6;
+  constexpr double kStrip = 1.5, kMinShare = 0.7;
   const double width_m = kStrip * spacing_m;
   const auto n = std::ranges::count_if(t_m, [&](double t) { return t > -width_m; });
   return static_cast<double>(n) >= kMinShare * width_m * length_m / (spacing_m * spacing_m);
@@ -162,6 +162,8 @@ std::optional<Border> fit_border(const ScanRegion& region,
   set_usual_slope(axes, u, points);
   Border border;
   border.line = border_line(points);
+  if (std::isfinite(points.usual_slope))
+    border.off_axis_rad = std::abs(std::atan(border.line.slope) - std::atan(points.usual_slope));
   const auto at = [&](double s) -> Eigen::Vector2d {
     return chord.start + s * u +
            (border.line.offset_m + border.line.slope * (s - 0.5 * length_m)) * right;

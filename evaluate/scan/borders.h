@@ -18,6 +18,7 @@ struct Border {
   Segment2 uv_m;
   BorderLine line;  ///< in the frame of the segment: s from its start, t to its right
   double support = 0.0;
+  double off_axis_rad = 0.0;  ///< from the direction that its borders usually have, if any
 };
 
 /// The straight parts of a region's border that are no seams, in the order of its loops.

@@ -9,6 +9,7 @@
 #include "evaluate/scan/scan_region.h"
 #include "evaluate/scan/seams.h"
 #include "evaluate/scan/surroundings.h"
+#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/disjoint_sets.h"
 #include "reconstruct/geometry/faces/roof_edge.h"
 
@@ -24,6 +25,7 @@ namespace {
 
 constexpr std::size_t kNeighbours = 12;
 constexpr double kMinArea_m2 = 1.0;
+constexpr double kMaxFootOffAxis_deg = 5.0;
 
 std::vector<Eigen::Vector3d> in_order(std::span<const Eigen::Vector3d> points) {
   std::vector<Eigen::Vector3d> sorted;
@@ -44,8 +46,7 @@ class EdgeSearch {
         grid_(PointGrid::build(points.size(), [&](std::size_t i) { return points[i]; })),
         surroundings_(grid_, region_of_, is_roof_, options.only_roofs) {}
 
-  ScanEdges find() {
-    const Neighbours neighbours = nearest_neighbours(points_, kNeighbours);
+  ScanEdges find(const Neighbours& neighbours) {
     PlaneRegions planes = grow_planes(points_, neighbours);
     pairs_ = touching(planes, neighbours);
     region_of_ = std::move(planes.region_of);
@@ -185,6 +186,8 @@ class EdgeSearch {
     const std::optional<Rim> rim = find_rim(regions_[r], border, surroundings_);
     if (!rim && (beyond == Beyond::kNothing || beyond == Beyond::kLevel)) return;
     const bool is_foot = rim || beyond == Beyond::kHigher;
+    // a hole around a dormer or a chimney that the points do not show in full
+    if (is_foot && border.off_axis_rad > kMaxFootOffAxis_deg * kRadPerDeg) return;
     add_border_edge(r, border.uv_m, border.line, border.support, is_foot);
     if (!rim) return;
     const double variance_m2 = rim->sigma_height_m * rim->sigma_height_m;
@@ -246,10 +249,12 @@ class EdgeSearch {
 
 }  // namespace
 
-ScanEdges find_edges(std::span<const Eigen::Vector3d> points_in_local, const ScanOptions& options) {
+ScanEdges find_edges(std::span<const Eigen::Vector3d> points_in_local,
+                     const ScanOptions& options,
+                     const NeighbourSearch& search) {
   const std::vector<Eigen::Vector3d> points = in_order(points_in_local);
   if (points.size() <= kNeighbours) return {};
-  return EdgeSearch(points, options).find();
+  return EdgeSearch(points, options).find(search(points, kNeighbours));
 }
 
 }  // namespace ridgeline::evaluate

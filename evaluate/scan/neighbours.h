@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -33,5 +34,9 @@ class Neighbours {
 /// Searches a grid of cells in plan with about two points each, ring by ring.
 /// @param points  finite; more than `per_point` of them
 Neighbours nearest_neighbours(std::span<const Eigen::Vector3d> points, std::size_t per_point);
+
+/// A function like nearest_neighbours(), for example with a search of PCL.
+using NeighbourSearch =
+    std::function<Neighbours(std::span<const Eigen::Vector3d> points, std::size_t per_point)>;
 
 }  // namespace ridgeline::evaluate

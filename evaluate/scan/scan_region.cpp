@@ -61,7 +61,8 @@ std::vector<CellSide> coarse_border(const ScanRegion& region) {
   cells.erase(repeated.begin(), repeated.end());
   std::vector<CellSide> sides;
   for (const auto& [column, row] : cells) {
-    for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(0, 1), std::pair(-1, 0), std::pair(0, -1)}) {
+    for (const auto& [dx, dy] :
+         {std::pair(1, 0), std::pair(0, 1), std::pair(-1, 0), std::pair(0, -1)}) {
       if (std::ranges::binary_search(cells, std::pair(column + dx, row + dy))) continue;
       const Eigen::Vector2d middle(static_cast<double>(column), static_cast<double>(row));
       const Eigen::Vector2d out(dx, dy);

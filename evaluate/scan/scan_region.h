@@ -18,9 +18,9 @@ struct ScanRegion {
   std::vector<std::size_t> points;   ///< indices
   Eigen::Matrix<double, 3, 2> axes;  ///< u and v in the local frame
   std::vector<Eigen::Vector2d> uv;   ///< of `points`, m
-  double spacing_m = 0.0;    ///< 1 / sqrt(points per area)
-  bool is_upright = false;   ///< a wall
-  AlphaShape shape;          ///< of roofs only
+  double spacing_m = 0.0;            ///< 1 / sqrt(points per area)
+  bool is_upright = false;           ///< a wall
+  AlphaShape shape;                  ///< of roofs only
 
   [[nodiscard]] double area_m2() const {
     return static_cast<double>(points.size()) * spacing_m * spacing_m;

@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ridgeline import _core
-from ridgeline._arguments import Config, Path, config_entries, double_of, new_file, paths_of, warn
-from ridgeline.cloud import Cloud, cloud_options
+from ridgeline._arguments import Config, Path, config_entries, new_file, warn
+from ridgeline.cloud import CloudLike, cloud_options, cloud_source
 from ridgeline.lines import Lines, segments_of
 from ridgeline.reconstruction import View, view_entries
 
@@ -190,7 +190,7 @@ class Result:
 
 def evaluate(
     lines: LinesLike,
-    cloud: Path | Sequence[Path] | Cloud | NDArray[np.float64],
+    cloud: CloudLike,
     *,
     patch: Path | None = None,
     views: Sequence[View] | None = None,
@@ -299,15 +299,8 @@ def evaluate(
         if patch is not None:
             raise ValueError("patch, views: both are given; give only one")
         options |= view_entries(views, height_range_m)
-    points: Any
-    if isinstance(cloud, np.ndarray) and cloud.dtype == _core.point_dtype:
-        cloud = Cloud(cloud)
-    if isinstance(cloud, Cloud):
-        points, options["cloud_crs"] = cloud.points, cloud.crs
-    elif isinstance(cloud, np.ndarray):
-        points = double_of(cloud, "cloud", strict=strict)
-    else:
-        points = paths_of(cloud, "cloud")
+    points, of_points = cloud_source(cloud, strict=strict)
+    options |= of_points
     references = None if reference_lines is None else _source(reference_lines)
     result = Result(_core.evaluate(_source(lines), points, references, options))
     warn(result.warnings)
