@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,8 +23,7 @@ std::vector<Eigen::Vector3d> rectangle(double x_m, double width_m, double height
 
 /// Two flat roofs of 10 m by 10 m, at x = 0 and x = 30.
 io::LineSet two_roofs() {
-  io::LineSet set;
-  io::BuildingModel& model = set.model.emplace();
+  io::BuildingModel model;
   model.buildings.resize(2);
   for (std::size_t i = 0; i < 2; ++i) {
     model.faces.push_back({.rings = {rectangle(30.0 * static_cast<double>(i), 10.0, 5.0)},
@@ -31,6 +31,8 @@ io::LineSet two_roofs() {
                            .building = i,
                            .id = ""});
   }
+  io::LineSet set;
+  set.model = std::make_shared<const io::BuildingModel>(std::move(model));
   return set;
 }
 
