@@ -45,7 +45,7 @@ std::optional<Segment3> part_in(const Segment3& segment, const Eigen::AlignedBox
       continue;
     }
     const auto [enters, leaves] =
-        std::minmax((box.min()[axis] - start) / run, (box.max()[axis] - start) / run);
+        std::minmax({(box.min()[axis] - start) / run, (box.max()[axis] - start) / run});
     from = std::max(from, enters);
     to = std::min(to, leaves);
   }

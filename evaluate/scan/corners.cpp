@@ -114,7 +114,7 @@ class Corners {
   }
 
   void move(const std::vector<EdgeEnd>& ends) {
-    constexpr double kMinSigma_m = 0.001, kMaxOff_m = 0.1, kMinShare = 0.5;
+    constexpr double kMinSigma_m = 1e-6, kMaxOff_m = 0.1, kMinShare = 0.5;
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     const Eigen::Vector3d x0 = place_of(edges_, ends.front());

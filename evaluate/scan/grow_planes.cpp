@@ -67,6 +67,21 @@ PlaneFit fitted(std::span<const Eigen::Vector3d> points, std::span<const std::si
   return none;
 }
 
+/// The fit without points of other surfaces that the tolerance let in.
+PlaneFit trimmed_fit(std::span<const Eigen::Vector3d> points, std::vector<std::size_t> of_region) {
+  constexpr int kRounds = 8;
+  constexpr double kRounding_m = 1e-7;
+  PlaneFit fit = fitted(points, of_region);
+  for (int round = 0; round < kRounds; ++round) {
+    const auto n = std::erase_if(of_region, [&](std::size_t i) {
+      return fit.plane.absDistance(points[i]) > kMaxDeviation * fit.sigma0_m + kRounding_m;
+    });
+    if (n == 0 || of_region.size() < kMinRegionPoints) break;
+    fit = fitted(points, of_region);
+  }
+  return fit;
+}
+
 class Growth {
  public:
   Growth(std::span<const Eigen::Vector3d> points, const Neighbours& neighbours)
@@ -205,7 +220,7 @@ class Growth {
   void refit() {
     for (std::size_t r = 0; r < members_.size(); ++r) {
       std::ranges::sort(members_[r]);
-      if (members_[r].size() >= kMinRegionPoints) fits_[r] = fitted(points_, members_[r]);
+      if (members_[r].size() >= kMinRegionPoints) fits_[r] = trimmed_fit(points_, members_[r]);
     }
   }
 
@@ -348,8 +363,8 @@ class Growth {
   }
 
   PlaneRegions collected() {
-    constexpr double kMaxNoise = 2.0;
-    const double noise_m = usual_noise_m();
+    constexpr double kMaxNoise = 2.0, kMinNoise_m = 0.005;
+    const double noise_m = std::max(usual_noise_m(), kMinNoise_m);
     PlaneRegions result;
     result.region_of.assign(points_.size(), kNoRegion);
     for (std::size_t r = 0; r < members_.size(); ++r) {

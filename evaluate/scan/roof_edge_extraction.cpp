@@ -16,7 +16,7 @@ namespace ridgeline::evaluate {
 
 template <typename PointT>
 ScanEdges RoofEdgeExtraction<PointT>::compute() {
-  check(initCompute(), "RoofEdgeExtraction: cloud = none, must be set and have points");
+  check(input_ && initCompute(), "RoofEdgeExtraction: cloud = none, must be set and have points");
   std::vector<Eigen::Vector3d> points;
   points.reserve(indices_->size());
   for (const pcl::index_t i : *indices_) {
