@@ -87,6 +87,14 @@ constexpr std::array kCommands{
             "lines.geojson",
             add_reconstruct},
     Command{
+        "edges", "find the roof edges of a point cloud as 3D lines",
+        "  ridgeline edges --cloud 'tiles/*.laz' --out edges.gpkg\n"
+        "  ridgeline edges --cloud lidar.las --classes 2,6 --min-length-m 2 --out edges.dxf\n\n"
+        "Curved roofs, trees, and planes below about a dozen points are not found. Eaves, verges "
+        "and steps\nare moved out to where the roof most probably ends; moved_out_m states by "
+        "how much.",
+        add_edges},
+    Command{
         "patch", "write a patch file from an orientation, an area and images",
         "  ridgeline patch --init roofs.yaml --orientation block.xml --images frames --area "
         "513000,5403000,513100,5403100 --lidar 'tiles/*.laz'\n"
@@ -214,6 +222,8 @@ int print_answer(const CLI::App& app, const CLI::ParseError& error) {
   const int code = app.exit(error, text, std::cerr);
   std::string answer = text.str();
   if (answer.ends_with("\n\n")) answer.pop_back();
+  if (const std::size_t gap = answer.find("\n\nOptions:"); gap != answer.npos)
+    answer.erase(gap, 1);  // the help then fits one screen
   fmt::print("{}", answer);
   return code;
 }

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 namespace ridgeline::apps {
-using nlohmann::json;
 using nlohmann::ordered_json;
 namespace {
 
@@ -16,7 +15,7 @@ ordered_json json_of(const Eigen::AlignedBox2d& box) {
   return {box.min().x(), box.min().y(), box.max().x(), box.max().y()};
 }
 
-Eigen::AlignedBox2d box_of(const json& numbers) {
+Eigen::AlignedBox2d box_of(const nlohmann::json& numbers) {
   return {Eigen::Vector2d(numbers.at(0), numbers.at(1)),
           Eigen::Vector2d(numbers.at(2), numbers.at(3))};
 }
@@ -29,7 +28,7 @@ ordered_json json_of(const FileState& file) {
           {"sha256", file.sha256}};
 }
 
-FileState file_of(const json& entry) {
+FileState file_of(const nlohmann::json& entry) {
   return {entry.at("role"), entry.at("path"), entry.at("bytes"), entry.at("modified_ns"),
           entry.at("sha256")};
 }
@@ -53,7 +52,7 @@ ordered_json json_of(const PlannedPatch& patch) {
           {"estimated_mib", patch.estimated_mib}};
 }
 
-PlannedPatch patch_of(const json& entry) {
+PlannedPatch patch_of(const nlohmann::json& entry) {
   PlannedPatch patch;
   patch.id = entry.at("id");
   patch.cell = {entry.at("square").at(0), entry.at("square").at(1)};
@@ -74,7 +73,7 @@ ordered_json list_of(const std::vector<Item>& items, const ToJson& to_json) {
   return list;
 }
 
-BlockPlan plan_of(const json& document) {
+BlockPlan plan_of(const nlohmann::json& document) {
   BlockPlan plan;
   plan.block = document.at("plan");
   plan.block_file = document.at("block_file");
@@ -82,13 +81,14 @@ BlockPlan plan_of(const json& document) {
   plan.crs = document.at("crs");
   plan.patch_size_m = document.at("patch_size_m");
   plan.overlap_m = document.at("overlap_m");
-  for (const json& corner : document.at("area_m"))
+  for (const nlohmann::json& corner : document.at("area_m"))
     plan.area_m.emplace_back(corner.at(0), corner.at(1));
-  for (const json& entry : document.at("inputs")) plan.inputs.push_back(file_of(entry));
-  for (const json& entry : document.at("frames")) {
+  for (const nlohmann::json& entry : document.at("inputs")) plan.inputs.push_back(file_of(entry));
+  for (const nlohmann::json& entry : document.at("frames")) {
     plan.frames.push_back({file_of(entry), entry.at("id"), entry.at("radiometry")});
   }
-  for (const json& entry : document.at("patches")) plan.patches.push_back(patch_of(entry));
+  for (const nlohmann::json& entry : document.at("patches"))
+    plan.patches.push_back(patch_of(entry));
   plan.extent_m = box_of(document.at("extent_m"));
   plan.n_without_views = document.at("n_squares_without_views");
   plan.warnings = document.at("warnings").get<std::vector<std::string>>();
@@ -120,8 +120,8 @@ std::string to_json(const BlockPlan& plan) {
 
 BlockPlan read_block_plan(const std::string& path) {
   try {
-    return plan_of(json::parse(io::read_text_file(path)));
-  } catch (const json::exception& error) {
+    return plan_of(nlohmann::json::parse(io::read_text_file(path)));
+  } catch (const nlohmann::json::exception& error) {
     throw io::IoError(
         path, fmt::format("is not a block plan ({}); remove it and plan again", error.what()));
   }

@@ -37,6 +37,7 @@ Run add_block(CLI::App& subcommand);
 Run add_extract(CLI::App& subcommand);
 Run add_match(CLI::App& subcommand);
 Run add_reconstruct(CLI::App& subcommand);
+Run add_edges(CLI::App& subcommand);
 Run add_patch(CLI::App& subcommand);
 Run add_simulate(CLI::App& subcommand);
 Run add_info(CLI::App& subcommand);

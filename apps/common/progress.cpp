@@ -18,12 +18,15 @@ Progress::Progress(std::size_t n_steps)
 Progress::~Progress() { clear(); }
 
 void Progress::begin(std::string_view what) {
+  show(std::min(n_begun_++, n_steps_), n_steps_, what);
+}
+
+void Progress::show(std::size_t n_done, std::size_t n_steps, std::string_view what) const {
   constexpr std::size_t kWidth = 30;
-  const std::size_t n_done = std::min(n_begun_++, n_steps_);
   if (!shown_) return;
-  const std::size_t filled = kWidth * n_done / n_steps_;
+  const std::size_t filled = kWidth * n_done / n_steps;
   fmt::print(stderr, "\r\033[K[{}{}] {:3} % {}", std::string(filled, '#'),
-             std::string(kWidth - filled, '.'), 100 * n_done / n_steps_, what);
+             std::string(kWidth - filled, '.'), 100 * n_done / n_steps, what);
   std::fflush(stderr);
 }
 

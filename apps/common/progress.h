@@ -19,6 +19,8 @@ class Progress {
 
   /// Ends the current step and begins one named `what`.
   void begin(std::string_view what);
+  /// Shows how many of the steps of one kind are done.
+  void show(std::size_t n_done, std::size_t n_steps, std::string_view what) const;
   /// Removes the bar from the terminal, so that other text can be printed.
   void clear() const;
 

@@ -4,7 +4,9 @@
 #include "apps/common/option_flags.h"
 #include "io/crs/geoid.h"
 #include "io/images/image.h"
-#include "io/lines/write_lines.h"
+#include "reconstruct/geometry/check.h"
+
+#include <filesystem>
 
 namespace ridgeline::apps {
 
@@ -52,6 +54,26 @@ std::vector<std::string> line_format_names() {
   return names;
 }
 
+void add_line_format_option(CLI::App& app, std::string& name) {
+  app.add_option("--format", name, "format of --out; default: by its extension, else geojson")
+      ->check(CLI::IsMember(line_format_names()));
+}
+
+io::LineFormat line_format_of(const std::string& out, const std::string& name) {
+  const std::optional<io::LineFormat> by_ending = io::line_format_of_file(out);
+  const std::optional<io::LineFormat> stated = io::line_format(name);
+  const auto is_table = [](std::optional<io::LineFormat> format) {
+    return format == io::LineFormat::kCsv || format == io::LineFormat::kWktCsv;
+  };
+  const bool fits = stated == by_ending || (is_table(stated) && is_table(by_ending));
+  check(!stated || !by_ending || fits, "--format ", name, ": ", out,
+        " has the extension of another format; omit --format or choose another name");
+  check(stated || by_ending || std::filesystem::path(out).extension().empty(), "--out = ", out,
+        ": no known format has this extension; use another name or give --format");
+  if (stated) return *stated;
+  return by_ending.value_or(io::LineFormat::kGeoJson);
+}
+
 void add_local_origin_flag(CLI::App& app, bool& local_origin) {
   app.add_flag("--local-origin", local_origin,
                "write OBJ and PLY relative to an origin stated in the file, for programs with "
@@ -95,6 +117,12 @@ void add_decoys_option(CLI::App& app, std::optional<std::size_t>& n_decoys) {
                  "number of lines to move on purpose and judge again, to find out how many wrong "
                  "lines would pass; default: half the number of lines, 200 to 2000; 0: none")
       ->check(CLI::NonNegativeNumber);
+}
+
+void add_completeness_flag(CLI::App& app, bool& completeness) {
+  app.add_flag("--completeness", completeness,
+               "find the roof edges in the LIDAR cloud and report which of them the lines show; "
+               "takes several seconds per million points");
 }
 
 void add_shift_options(CLI::App& app, ShiftArguments& arguments) {

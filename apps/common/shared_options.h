@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/pipeline/parameters.h"
+#include "io/lines/write_lines.h"
 
 #include <CLI/CLI.hpp>
 
@@ -28,6 +29,12 @@ void add_matcher_option(CLI::App& app, std::string& name);
 
 std::vector<std::string> line_format_names();
 
+/// Adds `--format`, which takes one of them.
+void add_line_format_option(CLI::App& app, std::string& name);
+/// The format of a file of lines: the one with this name, else by the file extension; GeoJSON if
+/// neither states one. Throws std::invalid_argument if they differ, or for an unknown extension.
+io::LineFormat line_format_of(const std::string& out, const std::string& name);
+
 /// Adds `--overwrite`, for results::check_output_file().
 void add_overwrite_flag(CLI::App& app, bool& overwrite);
 
@@ -51,6 +58,9 @@ struct ShiftArguments {
 
 /// Adds `--decoys`.
 void add_decoys_option(CLI::App& app, std::optional<std::size_t>& n_decoys);
+
+/// Adds `--completeness`.
+void add_completeness_flag(CLI::App& app, bool& completeness);
 
 /// Adds `--apply-shift` and `--geoid`.
 void add_shift_options(CLI::App& app, ShiftArguments& arguments);

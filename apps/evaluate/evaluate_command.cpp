@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/cloud_options.h"
 #include "apps/common/command.h"
 #include "apps/common/option_flags.h"
 #include "apps/common/say.h"
@@ -21,17 +22,13 @@ namespace {
 
 /// The options as given on the command line.
 struct EvaluateArguments {
-  std::vector<std::string> lines, clouds;
+  std::vector<std::string> lines;
+  CloudArguments cloud;
   std::string out, patch, reference_lines, write_points, schema = "plain";
-  std::vector<int> classes;
-  bool exclude_withheld = true, last_returns = false, strict = false, salvage = false;
-  bool vertex_pairs = false, scale_to_ground = false, report = true, overwrite = false;
-  std::vector<double> area, bounds, origin;
-  std::string assume_crs, lod, write_attributes, id_column, building_column;
+  bool vertex_pairs = false, report = true, overwrite = false, completeness = false;
+  std::vector<double> area;
+  std::string lod, write_attributes, id_column, building_column;
   std::vector<std::string> by;
-  std::uint64_t max_points = 0, max_memory_mib = 0;
-  std::uint64_t cloud_memory_mib = results::JudgeFilesOptions{}.cloud_memory_mib;
-  double max_resolution_m = 0.0;
   ParameterArguments parameters;
   evaluate::SummaryOptions summary;
   ShiftArguments shift;
@@ -44,8 +41,7 @@ void add_inputs(CLI::App& app, EvaluateArguments& a) {
                  "3D lines: GeoJSON, GeoPackage, Shapefile, DXF, WKT, CSV, OBJ, PLY, Line3D++, "
                  "LIMAP, ELSR; or building models: CityJSON, CityGML; every file is judged")
       ->required();
-  app.add_option("--cloud", a.clouds,
-                 "LAS, LAZ, PCD, PLY or x y z text; files and patterns are merged into one cloud");
+  add_cloud_option(app, a.cloud);
   app.add_option("--out", a.out, "folder for the results")->required();
   app.add_option("--patch", a.patch,
                  "patch file; its cameras classify lines as aligned or not_aligned, its lidar is "
@@ -53,8 +49,7 @@ void add_inputs(CLI::App& app, EvaluateArguments& a) {
   app.add_option("--reference-lines", a.reference_lines,
                  "true 3D lines, or polygons with heights (their edges), for precision and "
                  "completeness in addition to distances");
-  app.add_option("--assume-crs", a.assume_crs,
-                 "CRS of all inputs, overriding theirs (EPSG:25832+7837, WKT, ...)");
+  add_assume_crs_option(app, a.cloud);
   app.add_option("--lod", a.lod,
                  "level of detail of a building model: 2.2, or 2 for the highest 2.x; default: the "
                  "highest of each building, up to 3");
@@ -72,68 +67,19 @@ void add_inputs(CLI::App& app, EvaluateArguments& a) {
                  "whose middle lies there (x_min <= x < x_max), for `ridgeline pool`")
       ->delimiter(',')
       ->expected(4);
-  app.add_flag("--scale-to-ground", a.scale_to_ground,
-               "divide plan coordinates by the local map scale, as needed for Web Mercator; "
-               "default: refuse data that are not true to scale");
+  add_scale_to_ground_flag(app, a.cloud);
   app.add_option("--write-points", a.write_points,
                  "write the points of the planes, coloured by plane, to this file (.las, .pcd, "
                  ".ply); a single line file only");
   add_overwrite_flag(app, a.overwrite);
   add_shift_options(app, a.shift);
   add_decoys_option(app, a.n_decoys);
+  add_completeness_flag(app, a.completeness);
   add_schema_option(app, a.schema);
   add_page_options(app, a.page);
   add_report_flag(app, a.report);
   app.add_flag("--pairs", a.vertex_pairs,
                "read every two consecutive vertices of an OBJ as a line");
-}
-
-void add_cloud_filters(CLI::App& app, EvaluateArguments& a) {
-  const char* group = "Cloud";
-  app.add_option("--classes", a.classes,
-                 "keep only these ASPRS classes, e.g. 2,6; default: all but noise (7, 18)")
-      ->delimiter(',')
-      ->check(CLI::Range(0, 255))
-      ->group(group);
-  app.add_flag("--exclude-withheld,!--include-withheld", a.exclude_withheld,
-               "leave out withheld points (default)")
-      ->group(group);
-  app.add_flag("--last-returns", a.last_returns, "keep only the last return of each pulse")
-      ->group(group);
-  app.add_option("--bounds", a.bounds, "x_min,y_min,x_max,y_max in the cloud's own coordinates")
-      ->delimiter(',')
-      ->expected(4)
-      ->group(group);
-  app.add_option("--origin", a.origin,
-                 "origin of the local frame: x,y,z, whole metres; default: from the data")
-      ->delimiter(',')
-      ->expected(3)
-      ->group(group);
-  app.add_option("--max-points", a.max_points, "largest number of points to keep; 0: no limit")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str()
-      ->group(group);
-  app.add_option("--max-memory-mib", a.max_memory_mib,
-                 "largest memory for the points kept, MiB; 0: no limit")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str()
-      ->group(group);
-  app.add_option(
-         "--cloud-memory-mib", a.cloud_memory_mib,
-         "memory for points, MiB; larger clouds are processed in batches of neighbouring lines")
-      ->check(CLI::Range(1, 1048576))
-      ->capture_default_str()
-      ->group(group);
-  app.add_option("--max-resolution", a.max_resolution_m,
-                 "quick look: read COPC levels only down to this point distance, m; 0: all")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str()
-      ->group(group);
-  app.add_flag(
-         "--strict", a.strict,
-         "refuse clouds and lines with coordinate steps above 0.025 m (float32, too few digits)")
-      ->group(group);
-  app.add_flag("--salvage", a.salvage, "read what is left of a truncated file")->group(group);
 }
 
 void add_statistics_options(CLI::App& app, EvaluateArguments& a) {
@@ -157,29 +103,6 @@ void add_statistics_options(CLI::App& app, EvaluateArguments& a) {
       ->group(group);
 }
 
-LocalFrame frame_of(const std::vector<double>& origin) {
-  const Eigen::Vector3d x(origin[0], origin[1], origin[2]);
-  check((x.array() == x.array().round()).all(), "--origin = ", origin[0], ",", origin[1], ",",
-        origin[2], ", must be whole metres");
-  return {x};
-}
-
-io::ReadOptions read_options(const EvaluateArguments& a) {
-  io::ReadOptions options;
-  if (!a.classes.empty()) options.classes.emplace(a.classes.begin(), a.classes.end());
-  options.exclude_withheld = a.exclude_withheld;
-  options.last_returns = a.last_returns;
-  if (!a.bounds.empty()) options.bounds_in_file = io::plan_bounds(a.bounds);
-  if (!a.origin.empty()) options.frame = frame_of(a.origin);
-  options.assume_crs.definition = a.assume_crs;
-  options.max_points = a.max_points;
-  options.max_memory_bytes = a.max_memory_mib << 20U;
-  options.strict = a.strict;
-  options.salvage = a.salvage;
-  options.max_resolution_m = a.max_resolution_m;
-  return options;
-}
-
 Eigen::AlignedBox2d area_of(const EvaluateArguments& a) {
   const Eigen::AlignedBox2d area(Eigen::Vector2d(a.area[0], a.area[1]),
                                  Eigen::Vector2d(a.area[2], a.area[3]));
@@ -196,9 +119,9 @@ Eigen::AlignedBox2d area_of(const EvaluateArguments& a) {
 results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   results::JudgeFilesOptions options;
   options.line_paths = a.lines;
-  options.cloud_paths = a.clouds;
+  options.cloud_paths = a.cloud.clouds;
   if (!a.patch.empty()) {
-    options.patch = read_patch(a.patch, {a.assume_crs});
+    options.patch = read_patch(a.patch, {a.cloud.assume_crs});
     options.patch_name = options.patch->id;
     if (options.cloud_paths.empty()) options.cloud_paths = options.patch->lidar;
     options.reference_lines = options.patch->reference_lines;
@@ -208,18 +131,19 @@ results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
     throw std::invalid_argument("no cloud: give --cloud FILE, or --patch with the key lidar");
   }
   if (options.patch_name.empty()) options.patch_name = results::cloud_name(options.cloud_paths);
-  options.cloud = read_options(a);
-  options.scale_to_ground = a.scale_to_ground;
+  options.cloud = read_options(a.cloud);
+  options.scale_to_ground = a.cloud.scale_to_ground;
   if (!a.area.empty()) {
     options.area = area_of(a);
     options.reference_lines.reset();
     options.refuse_other_places = false;  // cannot be determined from a part of the lines
   }
-  options.cloud_memory_mib = a.cloud_memory_mib;
+  options.cloud_memory_mib = a.cloud.cloud_memory_mib;
   options.apply_shift = a.shift.apply;
   options.geoid = a.shift.geoid;
   options.n_decoys = a.n_decoys;
-  options.lines.assume_crs.definition = a.assume_crs;
+  options.completeness = a.completeness;
+  options.lines.assume_crs.definition = a.cloud.assume_crs;
   options.lines.vertex_pairs = a.vertex_pairs;
   options.lines.lod = a.lod;
   options.lines.id_column = a.id_column;
@@ -289,7 +213,7 @@ int run_evaluate(const EvaluateArguments& arguments) {
 Run add_evaluate(CLI::App& subcommand) {
   auto arguments = std::make_shared<EvaluateArguments>();
   add_inputs(subcommand, *arguments);
-  add_cloud_filters(subcommand, *arguments);
+  add_cloud_filters(subcommand, arguments->cloud);
   add_judge_options(subcommand, arguments->parameters);
   add_class_option(subcommand, arguments->parameters);
   add_statistics_options(subcommand, *arguments);

@@ -12,6 +12,7 @@ void add_endings();
 void add_clouds(pybind11::module_& core);
 void add_lines(pybind11::module_& core);
 void add_evaluation(pybind11::module_& core);
+void add_edges(pybind11::module_& core);
 void add_gates(pybind11::module_& core);
 void add_reconstruction(pybind11::module_& core);
 

@@ -155,6 +155,22 @@ std::unique_ptr<io::CloudSource> open_points(const PointsInMemory& points, const
        .n_points = points.bytes.size() / row_size});
 }
 
+io::CloudFiles CloudInput::open(const io::ReadOptions& options, const io::Crs& crs_of_lines) const {
+  if (!points) return {paths, options};
+  return {open_points(*points, points->crs.known() ? points->crs : crs_of_lines), options};
+}
+
+CloudInput cloud_input(const py::object& cloud, const py::dict& entries) {
+  if (!py::isinstance<py::array>(cloud)) {
+    CloudInput files{cloud.cast<std::vector<std::string>>(), {}};
+    check(!files.paths.empty(), "cloud: no file given, must be at least one");
+    return files;
+  }
+  CloudInput input{{}, points_in_memory(cloud.cast<py::array>())};
+  take(entries, "cloud_crs", input.points->crs.definition);
+  return input;
+}
+
 void add_clouds(py::module_& core) {
   PYBIND11_NUMPY_DTYPE(CloudPoint, x, y, z, intensity, classification, return_number,
                        number_of_returns, flags, source_id);

@@ -7,7 +7,10 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace ridgeline::python {
 
@@ -30,5 +33,19 @@ PointsInMemory points_in_memory(const pybind11::array& array);
 /// A cloud source for the points. Throws std::invalid_argument for a reference system that PROJ
 /// cannot read.
 std::unique_ptr<io::CloudSource> open_points(const PointsInMemory& points, const io::Crs& crs);
+
+/// A cloud: files, or points in an array.
+struct CloudInput {
+  std::vector<std::string> paths;
+  std::optional<PointsInMemory> points;
+
+  /// Points in memory without a reference system are assumed to be in that of the lines.
+  [[nodiscard]] io::CloudFiles open(const io::ReadOptions& options,
+                                    const io::Crs& crs_of_lines = {}) const;
+};
+
+/// `cloud`: list of paths, or an array, with its reference system in the entry `cloud_crs`. Throws
+/// std::invalid_argument for an empty list.
+CloudInput cloud_input(const pybind11::object& cloud, const pybind11::dict& entries);
 
 }  // namespace ridgeline::python

@@ -63,6 +63,7 @@ results::JudgeFilesOptions judge_options(const py::dict& entries) {
   take(entries, "scale_to_ground", options.scale_to_ground);
   take(entries, "apply_shift", options.apply_shift);
   take(entries, "geoid", options.geoid);
+  take(entries, "completeness", options.completeness);
   if (entries.contains("decoys") && !entries["decoys"].is_none()) {
     take(entries, "decoys", options.n_decoys.emplace());
   }
@@ -87,30 +88,6 @@ results::JudgeFilesOptions judge_options(const py::dict& entries) {
     options.patch = patch_of_views(entries);
   }
   return options;
-}
-
-/// A cloud: files, or points in an array.
-struct CloudInput {
-  std::vector<std::string> paths;
-  std::optional<PointsInMemory> points;
-
-  /// Points in memory without a reference system are assumed to be in that of the lines.
-  [[nodiscard]] io::CloudFiles open(const io::ReadOptions& options,
-                                    const io::Crs& crs_of_lines) const {
-    if (!points) return {paths, options};
-    return {open_points(*points, points->crs.known() ? points->crs : crs_of_lines), options};
-  }
-};
-
-CloudInput cloud_input(const py::object& cloud, const py::dict& entries) {
-  if (!py::isinstance<py::array>(cloud)) {
-    CloudInput files{cloud.cast<std::vector<std::string>>(), {}};
-    check(!files.paths.empty(), "cloud: no file given, must be at least one");
-    return files;
-  }
-  CloudInput input{{}, points_in_memory(cloud.cast<py::array>())};
-  take(entries, "cloud_crs", input.points->crs.definition);
-  return input;
 }
 
 std::vector<results::InputFile> input_files(const LineSource& lines,

@@ -8,6 +8,7 @@
 #include "io/lines/read_lines.h"
 #include "io/lines/write_lines.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <pybind11/stl.h>
 
@@ -39,6 +40,14 @@ struct SegmentColumn {
 };
 constexpr std::array kImageSegments{SegmentColumn{"left_px", &Line::base_px},
                                     SegmentColumn{"right_px", &Line::other_px}};
+
+struct NumberColumn {
+  const char* name;
+  std::optional<double> Line::*member;
+};
+constexpr std::array kNumbers{NumberColumn{"epipolar_angle_deg", &Line::epipolar_angle_deg},
+                              NumberColumn{"support", &Line::support},
+                              NumberColumn{"moved_out_m", &Line::moved_out_m}};
 
 using Ends3 = Eigen::Matrix<double, 2, 3>;  // start, end
 using Ends2 = Eigen::Matrix2d;
@@ -96,11 +105,21 @@ void take_arrays(const py::dict& arrays, std::vector<Line>& lines) {
                  if (ends) line.*m = Segment2{ends->row(0), ends->row(1)};
                });
   }
-  take_array(arrays, "epipolar_angle_deg", {}, lines,
-             [](Line& line, std::size_t i, const Array<double>& array) {
-               const double angle = array.data()[i];
-               if (!std::isnan(angle)) line.epipolar_angle_deg = angle;
-             });
+  for (const auto& [name, member] : kNumbers) {
+    take_array(arrays, name, {}, lines,
+               [m = member](Line& line, std::size_t i, const Array<double>& array) {
+                 const double number = array.data()[i];
+                 if (!std::isnan(number)) line.*m = number;
+               });
+  }
+}
+
+void take_plane_ids(const py::dict& arrays, std::vector<Line>& lines) {
+  if (!arrays.contains("plane_ids") || arrays["plane_ids"].is_none()) return;
+  const auto ids = arrays["plane_ids"].cast<std::vector<std::vector<int>>>();
+  check(ids.size() == lines.size(), "plane_ids: ", ids.size(), " lists; must be one for each of ",
+        lines.size(), " lines");
+  for (std::size_t i = 0; i < lines.size(); ++i) lines[i].plane_ids = ids[i];
 }
 
 py::dict read_lines(const std::string& path,
@@ -132,8 +151,8 @@ py::dict dict_of(const io::LineSet& set) {
   for (const auto& [name, member] : kTexts) {
     arrays[name] = list_of(set.lines, [m = member](const Line& line) { return line.*m; });
   }
-  arrays["epipolar_angle_deg"] =
-      number_array(set.lines, [](const Line& line) { return line.epipolar_angle_deg; });
+  for (const auto& [name, member] : kNumbers) arrays[name] = number_array(set.lines, member);
+  arrays["plane_ids"] = transformed(set.lines, &Line::plane_ids);
   arrays["covariance_m2"] =
       matrix_array<6, 6>(set.lines, [](const Line& line) { return line.covariance_m2; });
   for (const auto& [name, member] : kImageSegments) {
@@ -162,6 +181,7 @@ io::LineSet line_set_of(const py::dict& arrays, const std::string& name) {
   }
   take_texts(arrays, set.lines);
   take_arrays(arrays, set.lines);
+  take_plane_ids(arrays, set.lines);
   return set;
 }
 

@@ -10,6 +10,7 @@ PYBIND11_MODULE(_core, core) {
   python::add_clouds(core);
   python::add_lines(core);
   python::add_evaluation(core);
+  python::add_edges(core);
   python::add_gates(core);
   python::add_reconstruction(core);
 }

@@ -109,23 +109,6 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::Patch& patch,
   return reconstruct::estimate(scene, found.tracks, used_pairs(found.pairs), a.options);
 }
 
-/// The format given by --format, else by the file extension; GeoJSON if neither is given. Throws
-/// std::invalid_argument if they differ, or for an unknown extension.
-io::LineFormat format_of(const ReconstructArguments& a) {
-  const std::optional<io::LineFormat> by_ending = io::line_format_of_file(a.out);
-  const std::optional<io::LineFormat> stated = io::line_format(a.format);
-  const auto is_table = [](std::optional<io::LineFormat> format) {
-    return format == io::LineFormat::kCsv || format == io::LineFormat::kWktCsv;
-  };
-  const bool fits = stated == by_ending || (is_table(stated) && is_table(by_ending));
-  check(!stated || !by_ending || fits, "--format ", a.format, ": ", a.out,
-        " has the extension of another format; omit --format or choose another name");
-  check(stated || by_ending || fs::path(a.out).extension().empty(), "--out = ", a.out,
-        ": no known format has this extension; use another name or give --format");
-  if (stated) return *stated;
-  return by_ending.value_or(io::LineFormat::kGeoJson);
-}
-
 void check_outputs(const ReconstructArguments& a, std::vector<std::string> inputs) {
   if (!a.matches.empty()) io::require_regular_file(a.matches, io::FileGroup::kMatches);
   inputs.push_back(a.matches);
@@ -144,7 +127,7 @@ int run_reconstruct(ReconstructArguments a) {
   check_preset(a.parameters, {a.options.estimation.lines.method});
   const io::Patch patch = open_patch(a.patch, {.max_image_mpx = a.max_image_mpx}, tell_of);
   check_outputs(a, results::paths_of(input_files(patch)));
-  const io::LineFormat format = format_of(a);
+  const io::LineFormat format = line_format_of(a.out, a.format);
   io::require_writable(format);
   const io::LineSet lines = line_set_of(lines_of(patch, a), patch_scene(patch), patch.crs,
                                         a.options.estimation.lines.method,
@@ -174,9 +157,7 @@ Run add_reconstruct(CLI::App& subcommand) {
   subcommand.add_option("--matches", a->matches,
                         "matches.csv; ids refer to segments.IMAGE.csv next to it, else to newly "
                         "extracted segments; default: match now");
-  subcommand
-      .add_option("--format", a->format, "format of --out; default: by its extension, else geojson")
-      ->check(CLI::IsMember(line_format_names()));
+  add_line_format_option(subcommand, a->format);
   subcommand.add_option("--write-surface", a->surface,
                         "write the points from dense matching of the pair to this LAS file");
   add_overwrite_flag(subcommand, a->overwrite);

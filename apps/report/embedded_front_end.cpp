@@ -8,6 +8,8 @@ asm(R"(
 .global kRidgelineFrontEndStyleBegin, kRidgelineFrontEndStyleEnd
 .global kRidgelineBlockScriptBegin, kRidgelineBlockScriptEnd
 .global kRidgelineBlockStyleBegin, kRidgelineBlockStyleEnd
+.global kRidgelineEdgesScriptBegin, kRidgelineEdgesScriptEnd
+.global kRidgelineEdgesStyleBegin, kRidgelineEdgesStyleEnd
 kRidgelineFrontEndScriptBegin:
 .incbin ")" RIDGELINE_FRONT_END R"(/report.js"
 kRidgelineFrontEndScriptEnd:
@@ -20,6 +22,12 @@ kRidgelineBlockScriptEnd:
 kRidgelineBlockStyleBegin:
 .incbin ")" RIDGELINE_FRONT_END R"(/block.css"
 kRidgelineBlockStyleEnd:
+kRidgelineEdgesScriptBegin:
+.incbin ")" RIDGELINE_FRONT_END R"(/edges.js"
+kRidgelineEdgesScriptEnd:
+kRidgelineEdgesStyleBegin:
+.incbin ")" RIDGELINE_FRONT_END R"(/edges.css"
+kRidgelineEdgesStyleEnd:
 .text
 )");
 
@@ -32,6 +40,10 @@ extern const char kRidgelineBlockScriptBegin[];
 extern const char kRidgelineBlockScriptEnd[];
 extern const char kRidgelineBlockStyleBegin[];
 extern const char kRidgelineBlockStyleEnd[];
+extern const char kRidgelineEdgesScriptBegin[];
+extern const char kRidgelineEdgesScriptEnd[];
+extern const char kRidgelineEdgesStyleBegin[];
+extern const char kRidgelineEdgesStyleEnd[];
 }
 
 namespace ridgeline::apps {
@@ -44,6 +56,11 @@ FrontEnd run_front_end() {
 FrontEnd block_front_end() {
   return {{kRidgelineBlockScriptBegin, kRidgelineBlockScriptEnd},
           {kRidgelineBlockStyleBegin, kRidgelineBlockStyleEnd}};
+}
+
+FrontEnd edges_front_end() {
+  return {{kRidgelineEdgesScriptBegin, kRidgelineEdgesScriptEnd},
+          {kRidgelineEdgesStyleBegin, kRidgelineEdgesStyleEnd}};
 }
 
 }  // namespace ridgeline::apps

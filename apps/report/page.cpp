@@ -20,7 +20,10 @@ std::string script_safe(std::string_view json) {
   return text;
 }
 
-std::string report_page(std::string_view title, std::string_view data, const FrontEnd& front_end) {
+std::string report_page(std::string_view title,
+                        std::string_view data,
+                        const FrontEnd& front_end,
+                        std::string_view elsewhere) {
   std::string page = fmt::format(R"(<!doctype html>
 <html lang="en">
 <head>
@@ -36,8 +39,10 @@ std::string report_page(std::string_view title, std::string_view data, const Fro
   page += front_end.style;
   page +=
       "</style>\n</head>\n<body>\n<noscript>This report needs JavaScript, which is included in the "
-      "file; please allow it. The tables next to it, starting with table2.md, have the same "
-      "figures.</noscript>\n<div id=\"app\"></div>\n<script type=\"application/json\" "
+      "file; please allow it. ";
+  page += elsewhere;
+  page +=
+      "</noscript>\n<div id=\"app\"></div>\n<script type=\"application/json\" "
       "id=\"report-data\">";
   page += script_safe(data);
   page += "</script>\n<script>";

@@ -163,12 +163,7 @@ void require_frame_of_cloud(const Evaluation& evaluation,
     return;
   }
   if (cloud_box.isEmpty()) {
-    throw io::IoError(
-        cloud.path(),
-        fmt::format("no point lies within `bounds`; must be in the cloud's own coordinates, [{}], "
-                    "unit {}",
-                    io::describe(cloud.crs()).name,
-                    io::unit_text(cloud.unit_m().x() * cloud.plan_scale().x())));
+    throw io::IoError(cloud.path(), no_point_in_bounds(cloud));
   }
   throw io::IoError(
       set.path,
@@ -202,20 +197,6 @@ nlohmann::ordered_json cloud_facts(const CloudReadings& readings, const io::Clou
   json["n_dropped_bounds"] = cloud.n_dropped_bounds;
   json["n_dropped_non_finite"] = cloud.n_dropped_non_finite;
   return json;
-}
-
-void require_points(const io::PointCloud& cloud, const std::string& path) {
-  if (cloud.n_read == 0) {
-    throw io::IoError(path, "has no points to judge lines against");
-  }
-  const std::uint64_t filtered = cloud.n_dropped_class + cloud.n_dropped_withheld +
-                                 cloud.n_dropped_return + cloud.n_dropped_non_finite;
-  if (filtered < cloud.n_read) return;
-  throw io::IoError(
-      path, fmt::format("none of {} points are left: {} dropped by class, {} withheld, {} not last "
-                        "returns, {} not finite; `ridgeline info` lists its classes",
-                        cloud.n_read, cloud.n_dropped_class, cloud.n_dropped_withheld,
-                        cloud.n_dropped_return, cloud.n_dropped_non_finite));
 }
 
 Evaluation evaluation_of(const io::LineSet& set,

@@ -88,28 +88,6 @@ evaluate::JudgeOptions without_points(evaluate::JudgeOptions options) {
   return options;
 }
 
-/// Adds the readings of one batch to the total.
-void add(CloudReadings part, CloudReadings& sum) {
-  sum.n_batches += part.n_batches;
-  sum.n_kept += part.n_kept;
-  io::PointCloud& cloud = sum.cloud;
-  cloud.frame = part.cloud.frame;
-  cloud.crs = std::move(part.cloud.crs);
-  cloud.horizontal_unit_m = part.cloud.horizontal_unit_m;
-  cloud.vertical_unit_m = part.cloud.vertical_unit_m;
-  for (const auto count :
-       {&io::PointCloud::n_read, &io::PointCloud::n_dropped_class,
-        &io::PointCloud::n_dropped_withheld, &io::PointCloud::n_dropped_return,
-        &io::PointCloud::n_dropped_bounds, &io::PointCloud::n_dropped_non_finite}) {
-    cloud.*count += part.cloud.*count;
-  }
-  for (std::string& warning : part.cloud.warnings) {
-    if (std::ranges::find(cloud.warnings, warning) == cloud.warnings.end()) {
-      cloud.warnings.push_back(std::move(warning));
-    }
-  }
-}
-
 class BatchedJudge {
  public:
   /// The sets of lines from `first_decoys` on are decoys.
@@ -143,7 +121,7 @@ class BatchedJudge {
     if (!near) near = read_beyond_limit(batch, surroundings);
     const std::size_t n_kept = near->points.size();
     const evaluate::PointGrid grid = grid_of(*near);
-    add({.n_batches = 1, .n_kept = n_kept, .cloud = std::move(*near)}, readings_);
+    add_reading(std::move(*near), n_kept, readings_);
     for (std::size_t set = 0; set < judges_.size(); ++set) {
       std::vector<std::size_t> numbers;
       for (const LineRef& ref : batch) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "evaluate/files/cloud_readings.h"
 #include "evaluate/judge/judge_line.h"
 #include "evaluate/judge/options.h"
 #include "evaluate/statistics/decoy_figures.h"
@@ -17,13 +18,6 @@ namespace ridgeline::results {
 
 using LineSets = std::vector<std::vector<evaluate::JudgedLine>>;
 using DecoySets = std::vector<std::vector<evaluate::Decoy>>;
-
-/// Totals over all readings of a cloud: a point near the lines of two batches counts twice.
-struct CloudReadings {
-  std::size_t n_batches = 0;
-  std::uint64_t n_kept = 0;
-  io::PointCloud cloud;  ///< without points: reference system, units, counts, warnings
-};
 
 struct JudgedBatches {
   std::vector<std::vector<evaluate::JudgedResult>> results;  ///< by set and line

@@ -4,6 +4,7 @@
 #include "evaluate/files/judged_lines.h"
 #include "evaluate/files/map_layers.h"
 #include "evaluate/files/map_style.h"
+#include "evaluate/files/missing_layers.h"
 #include "evaluate/files/to_fix.h"
 #include "evaluate/judge/roof_kind.h"
 #include "io/gdal/geopackage_writer.h"
@@ -165,14 +166,6 @@ std::vector<LineField> fields_of(const io::LineSet& set,
 
 double normal_part(const JudgedPlane& p, int axis) { return p.plane.normal()[axis]; }
 
-/// Direction of steepest descent, clockwise from north; std::nullopt for a level plane.
-std::optional<double> aspect_deg(const Plane3& plane) {
-  const Eigen::Vector3d n = plane.normal();
-  if (n.x() == 0.0 && n.y() == 0.0) return std::nullopt;
-  const double azimuth_deg = std::atan2(n.x(), n.y()) * kDegrees;
-  return azimuth_deg < 0.0 ? azimuth_deg + 360.0 : azimuth_deg;
-}
-
 using PlaneField = MapField<JudgedPlane>;
 
 const std::vector<PlaneField>& plane_fields() {
@@ -328,6 +321,10 @@ void write_judged_map(const std::string& path,
   layers.push_back(lines_layer(set, evaluation, judged.planes[i], schema));
   layers.push_back(vectors_layer(set, evaluation, unit_m, to_map));
   layers.push_back(to_fix_layer(to_fix(judged, i), to_map));
+  if (evaluation.completeness) layers.push_back(missing_layer(*evaluation.completeness, to_map));
+  const bool compared = i < judged.models.size() && judged.models[i].has_value() &&
+                        judged.models[i]->missing_roofs.has_value();
+  if (compared) layers.push_back(missing_roofs_layer(*judged.models[i]->missing_roofs, to_map));
   io::write_geopackage(path, set.crs.known() ? set.crs : judged.cloud_crs, layers);
 }
 

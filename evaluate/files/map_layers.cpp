@@ -175,6 +175,13 @@ std::vector<io::Column> renamed(std::vector<io::Column> columns,
   return columns;
 }
 
+std::optional<double> aspect_deg(const Plane3& plane) {
+  const Eigen::Vector3d n = plane.normal();
+  if (n.x() == 0.0 && n.y() == 0.0) return std::nullopt;
+  const double azimuth_deg = deg_from_rad(std::atan2(n.x(), n.y()));
+  return azimuth_deg < 0.0 ? azimuth_deg + 360.0 : azimuth_deg;
+}
+
 std::vector<io::Column> building_columns() { return columns_of(building_fields()); }
 
 io::SparseRow building_values(const BuildingRow& row, std::size_t first) {

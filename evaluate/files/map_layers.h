@@ -3,6 +3,7 @@
 
 #include "evaluate/files/judged_model.h"
 #include "io/gdal/geopackage_writer.h"
+#include "reconstruct/geometry/plane.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/Core>
@@ -69,6 +70,9 @@ class ToMap {
  private:
   Eigen::Vector3d origin_m_, unit_m_;
 };
+
+/// Direction of steepest descent, clockwise from north; std::nullopt for a level plane.
+std::optional<double> aspect_deg(const Plane3& plane);
 
 /// The columns of a building's figures, and their values, starting at column `first`.
 std::vector<io::Column> building_columns();

@@ -257,6 +257,16 @@ struct BuildingStroke {
   const char* stroke;
 };
 using evaluate::BuildingVerdict;
+
+struct KindColour {
+  const char* kind;
+  std::uint32_t colour;
+};
+/// The page of the edges uses the same colours (kind_colours.ts).
+constexpr std::array kKindColours{KindColour{"ridge", 0xd55e00},  KindColour{"hip", 0xe69f00},
+                                  KindColour{"valley", 0x0072b2}, KindColour{"eave", 0x009e73},
+                                  KindColour{"verge", 0x56b4e9},  KindColour{"step", 0xcc79a7}};
+
 constexpr std::array kBuildingStrokes{
     BuildingStroke{BuildingVerdict::kRight, kSteps[0].colour, "solid"},
     BuildingStroke{BuildingVerdict::kShifted, kSteps[4].colour, "dash"},
@@ -334,6 +344,38 @@ io::MapStyle to_fix_style() {
         mark.label, mark.sld_filter, sld_stroke(kSteps[4].colour, 2.0), 3.0 * mark.size_mm);
   }
   return {"to fix", qml_by_rules(rules, symbols), sld("to_fix", sld_rules)};
+}
+
+io::MapStyle missing_style() {
+  return {"not found",
+          qml_by_rules("<rule key=\"{all}\" symbol=\"0\" label=\"edge without a line\"/>\n",
+                       qml_line(0, kChanged, 1.0)),
+          sld("missing", sld_line_rule("edge without a line", "", kChanged, 3.0))};
+}
+
+io::MapStyle missing_roofs_style() {
+  const std::vector<AreaRule> rules{
+      {.label = "roof without a building", .colour = kChanged, .fill = "f_diagonal"}};
+  return {"missing roofs", qml_of_areas(rules), sld_of_areas("missing_roofs", rules)};
+}
+
+io::MapStyle edge_kinds_style() {
+  std::string rules, symbols, sld_rules;
+  for (std::size_t i = 0; i < kKindColours.size(); ++i) {
+    const auto& [kind, colour] = kKindColours[i];
+    rules += fmt::format(
+        "<rule key=\"{{kind{0}}}\" symbol=\"{0}\" label=\"{1}\" filter=\"&quot;kind&quot; = "
+        "'{1}'\"/>\n",
+        i, kind);
+    symbols += qml_line(static_cast<int>(i), colour, 0.8);
+    sld_rules += sld_line_rule(
+        kind,
+        fmt::format("<ogc:Filter><ogc:PropertyIsEqualTo><ogc:PropertyName>kind</ogc:PropertyName>"
+                    "<ogc:Literal>{}</ogc:Literal></ogc:PropertyIsEqualTo></ogc:Filter>",
+                    kind),
+        colour, 2.5);
+  }
+  return {"kind", qml_by_rules(rules, symbols), sld("lines", sld_rules)};
 }
 
 io::MapStyle vectors_style() {

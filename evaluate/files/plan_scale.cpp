@@ -109,9 +109,18 @@ void set_plan_scale(const std::vector<io::LineSet>& sets,
   require_constant_scale(cloud.path(), crs, places, *scale);
   cloud.set_plan_scale(scale->scale);
   warnings.push_back(
-      fmt::format("{}: the map scale of \"{}\" is {}; coordinates of cloud and lines are divided "
-                  "by it, so that figures are metres on the ground",
+      fmt::format("{}: the map scale of \"{}\" is {}; coordinates are divided by it, so that "
+                  "figures are metres on the ground",
                   cloud.path(), io::describe(crs).name, io::scale_text(*scale)));
+}
+
+void set_plan_scale(bool scale_to_ground,
+                    io::CloudFiles& cloud,
+                    std::vector<std::string>& warnings) {
+  io::LineSet place;
+  const Eigen::Vector3d origin = cloud.frame().origin_m.cwiseQuotient(cloud.unit_m());
+  place.lines.emplace_back().segment_in_world = {origin, origin};
+  set_plan_scale({place}, std::nullopt, scale_to_ground, cloud, warnings);
 }
 
 }  // namespace ridgeline::results

@@ -24,4 +24,9 @@ void set_plan_scale(const std::vector<io::LineSet>& sets,
                     io::CloudFiles& cloud,
                     std::vector<std::string>& warnings);
 
+/// The same for a cloud without lines: at the origin of its frame, which is amid its points.
+void set_plan_scale(bool scale_to_ground,
+                    io::CloudFiles& cloud,
+                    std::vector<std::string>& warnings);
+
 }  // namespace ridgeline::results

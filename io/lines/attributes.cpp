@@ -35,7 +35,9 @@ constexpr std::array kSegmentAttributes{SegmentAttribute{"left_px", &Line::base_
                                         SegmentAttribute{"right_px", &Line::other_px}};
 
 constexpr std::array kNumberAttributes{NumberAttribute{"visible_left", &Line::visible_base},
-                                       NumberAttribute{"visible_right", &Line::visible_other}};
+                                       NumberAttribute{"visible_right", &Line::visible_other},
+                                       NumberAttribute{"support", &Line::support},
+                                       NumberAttribute{"moved_out_m", &Line::moved_out_m}};
 
 bool is_empty(const json& value) {
   return value.is_null() || (value.is_string() && value.get_ref<const std::string&>().empty());

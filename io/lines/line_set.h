@@ -56,7 +56,10 @@ struct Line {
   std::optional<int> n_images;  ///< supporting images (Line3D++, LIMAP)
   /// Covariance of (start, end) in world axes, m^2.
   std::optional<Eigen::Matrix<double, 6, 6>> covariance_m2;
-  std::vector<int> plane_ids;  ///< ids of the planes that a true line bounds
+  std::vector<int> plane_ids;  ///< ids of the planes that it bounds: true lines, edges of a scan
+  /// Of an edge of a scan: the share of its length that has points next to it, 0..1, and by how
+  /// much it was moved out beyond the outermost points, m.
+  std::optional<double> support, moved_out_m;
   /// Id of its feature in the file: GDAL's feature id, an integer `id` of GeoJSON, otherwise its
   /// index from 0.
   std::int64_t source_fid = 0;

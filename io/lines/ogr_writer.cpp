@@ -113,7 +113,8 @@ class OgrWriter : public LineWriter {
     if (target_.has_attributes) {
       set_attributes(line, feature);
     } else {
-      feature.SetField("Layer", line.line_class.empty() ? "0" : line.line_class.c_str());
+      const std::string& layer = line.line_class.empty() ? line.kind : line.line_class;
+      feature.SetField("Layer", layer.empty() ? "0" : layer.c_str());
     }
     if (all_finite(s)) {
       OGRLineString geometry;

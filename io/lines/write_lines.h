@@ -52,10 +52,10 @@ struct WriteLinesOptions {
 /// Writes one feature per line, in the order of the set, with coordinates to 0.1 mm or better at
 /// any magnitude.
 ///   GeoJSON, GeoPackage, WKT CSV   all attributes and the covariance; CSV with WKT states no CRS
-///   Shapefile   all but the covariance, image segments and visible shares (columns hold 254
-///               characters), CRS in the .prj
+///   Shapefile   all but the covariance, image segments, visible shares, `support` and
+///               `moved_out_m` (columns hold 254 characters), CRS in the .prj
 ///   CSV         x1,y1,z1,x2,y2,z2 and all attributes, no CRS
-///   DXF         one 3D polyline per line, layer = class; no other attributes, no CRS
+///   DXF         one 3D polyline per line, layer = class, else kind; no other attributes, no CRS
 ///   OBJ, PLY    geometry; CRS and origin in comments
 /// In GeoJSON, a set without a CRS gets that of a plane that is nowhere on Earth, which
 /// read_lines() reads back as no CRS; GDAL would interpret a missing or null `crs` as degrees.

@@ -22,15 +22,17 @@ TEST_F(Usage, HelpFitsOneScreenAndListsEverySubcommand) {
   EXPECT_THAT(result.err, IsEmpty());
   constexpr auto kScreenLines = 24;
   EXPECT_LE(std::count(result.out.begin(), result.out.end(), '\n'), kScreenLines);
-  for (const char* command : {"demo", "evaluate", "gate", "compare", "simulate", "info", "run",
-                              "extract", "match", "reconstruct", "report", "config", "patch"}) {
+  for (const char* command :
+       {"demo", "evaluate", "gate", "compare", "simulate", "info", "run", "extract", "match",
+        "reconstruct", "report", "config", "patch", "edges"}) {
     EXPECT_THAT(result.out, HasSubstr(command));
   }
 }
 
 TEST_F(Usage, EverySubcommandHasHelp) {
-  for (const char* command : {"demo", "evaluate", "gate", "compare", "simulate", "info", "run",
-                              "extract", "match", "reconstruct", "report", "config", "patch"}) {
+  for (const char* command :
+       {"demo", "evaluate", "gate", "compare", "simulate", "info", "run", "extract", "match",
+        "reconstruct", "report", "config", "patch", "edges"}) {
     const ProgramResult result = run({command, "--help"});
     EXPECT_EQ(result.exit_code, 0) << command;
     EXPECT_THAT(result.out, HasSubstr("--help")) << command;

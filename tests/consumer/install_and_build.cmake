@@ -22,8 +22,8 @@ foreach(program consumer pcl_lines)
                   COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
 
-# the README's example, and the LAZ library alone
-foreach(project readme laz)
+# the README's example, the LAZ library alone, and edges of a cloud of PCL
+foreach(project readme laz edges)
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_DIR}/${project} -B ${WORK_DIR}/${project}
                           -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
                           -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_CXX_FLAGS=${CXX_FLAGS}
@@ -37,4 +37,5 @@ if(NOT printed MATCHES "^eave 0\\.1.*\n.* 270")
 endif()
 execute_process(COMMAND ${WORK_DIR}/laz/laz_consumer ${SOURCE_DIR}/../../sample_data/1/lidar.las
                 COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${WORK_DIR}/edges/pcl_edges COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${prefix}/bin/ridgeline --version COMMAND_ERROR_IS_FATAL ANY)

@@ -18,7 +18,7 @@ for (const [file, remedy] of needs) {
 }
 const [binary, samples, work] = process.argv.slice(2);
 let status = 0;
-for (const [file, folder] of [['report_test.mjs', work], ['block_test.mjs', join(work, 'block_test')]]) {
+for (const [file, folder] of [['report_test.mjs', work], ['block_test.mjs', join(work, 'block_test')], ['edges_test.mjs', join(work, 'edges_test')]]) {
   const result = spawnSync(process.execPath, ['--test', `${here}${file}`], {
     stdio: 'inherit',
     env: { ...process.env, RIDGELINE_BINARY: binary, RIDGELINE_SAMPLES: samples, RIDGELINE_WORK: folder },

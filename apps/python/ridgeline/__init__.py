@@ -18,6 +18,7 @@ from ridgeline.evaluation import Result, evaluate
 from ridgeline.gates import GateReport, gate
 from ridgeline.lines import Lines, read_lines, write_lines
 from ridgeline.reconstruction import View, reconstruct
+from ridgeline.scan import edges
 
 __all__ = [
     "Cloud",
@@ -27,6 +28,7 @@ __all__ = [
     "Result",
     "View",
     "__version__",
+    "edges",
     "evaluate",
     "gate",
     "read_cloud",

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -63,6 +63,21 @@ class Cloud:
 
     def __repr__(self) -> str:
         return f"<ridgeline.Cloud: {len(self)} points>"
+
+
+#: What evaluate() and edges() take as a cloud.
+CloudLike: TypeAlias = Path | Sequence[Path] | Cloud | NDArray[np.float64]
+
+
+def cloud_source(cloud: CloudLike, *, strict: bool) -> tuple[Any, dict[str, Any]]:
+    """The paths or points of a cloud, and its entries for the options."""
+    if isinstance(cloud, np.ndarray) and cloud.dtype == _core.point_dtype:
+        cloud = Cloud(cloud)
+    if isinstance(cloud, Cloud):
+        return cloud.points, {"cloud_crs": cloud.crs}
+    if isinstance(cloud, np.ndarray):
+        return double_of(cloud, "cloud", strict=strict), {}
+    return paths_of(cloud, "cloud"), {}
 
 
 def cloud_options(

@@ -33,6 +33,9 @@ class Lines:
     method, kind, building: as in the files (docs/files.md).
     epipolar_angle_deg: (n,), degrees.
     covariance_m2: (n, 6, 6), of (start, end), square metres.
+    plane_ids: (n,), a list for each line, the planes that it bounds; only for edges() and true
+        lines.
+    support, moved_out_m: (n,), see edges().
     left_px, right_px: (n, 2, 2), the segments of a line in both images, pixels.
     crs: the reference system; if "" (unknown), that of the cloud is assumed.
     """
@@ -46,6 +49,9 @@ class Lines:
     building: Sequence[str] | NDArray[np.str_] | None = None
     epipolar_angle_deg: NDArray[np.float64] | None = None
     covariance_m2: NDArray[np.float64] | None = None
+    plane_ids: Sequence[Sequence[int]] | NDArray[np.object_] | None = None
+    support: NDArray[np.float64] | None = None
+    moved_out_m: NDArray[np.float64] | None = None
     left_px: NDArray[np.float64] | None = None
     right_px: NDArray[np.float64] | None = None
     crs: str = ""
@@ -55,6 +61,11 @@ class Lines:
         for name in TEXTS:
             if getattr(self, name) is not None:
                 setattr(self, name, _texts(getattr(self, name), name))
+        if self.plane_ids is not None:
+            lists = np.empty(len(self.plane_ids), dtype=object)
+            for i, ids in enumerate(self.plane_ids):
+                lists[i] = list(ids)
+            self.plane_ids = lists
 
     def __len__(self) -> int:
         return len(self.segments)
@@ -74,7 +85,7 @@ class Lines:
 
     def _entries(self) -> dict[str, Any]:
         entries = {f.name: getattr(self, f.name) for f in fields(self)}
-        for name in TEXTS:
+        for name in (*TEXTS, "plane_ids"):
             if entries[name] is not None:
                 entries[name] = entries[name].tolist()
         return entries

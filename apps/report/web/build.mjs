@@ -26,8 +26,11 @@ await build({ ...common, entryPoints: ['src/style/report.css'], outfile: join(ou
 // The report of a block and the pages of its patches: a page each, so that none of the libraries above is in it.
 await build({ ...common, entryPoints: ['src/block/main.ts'], outfile: join(out, 'block.js'), format: 'iife', target: 'es2022', charset: 'ascii' });
 await build({ ...common, entryPoints: ['src/style/block.css'], outfile: join(out, 'block.css') });
+// The page of the edges of a point cloud.
+await build({ ...common, entryPoints: ['src/edges/main.ts'], outfile: join(out, 'edges.js'), format: 'iife', target: 'es2022', charset: 'ascii' });
+await build({ ...common, entryPoints: ['src/style/edges.css'], outfile: join(out, 'edges.css') });
 
 // The bundle stands inside a script element and a style element.
-for (const [file, end] of [['report.js', /<\/script|<!--/i], ['report.css', /<\/style/i], ['block.js', /<\/script|<!--/i], ['block.css', /<\/style/i]]) {
+for (const [file, end] of [['report.js', /<\/script|<!--/i], ['report.css', /<\/style/i], ['block.js', /<\/script|<!--/i], ['block.css', /<\/style/i], ['edges.js', /<\/script|<!--/i], ['edges.css', /<\/style/i]]) {
   if (end.test(await readFile(join(out, file), 'utf8'))) throw new Error(`${file} would end its element`);
 }

@@ -60,6 +60,8 @@ LineSet some_lines() {
     for (const char* image : {"strip1", "strip 2", "cross_\xC3\xA4"})
       line.observations.push_back({image, {{0.25 * i, 8.5}, {1000.0 - i, 700.125}}});
     line.plane_ids = {i, i + 1};
+    line.support = 1.0 - 0.015625 * i;
+    line.moved_out_m = 0.0625 * i;
     line.covariance_m2 = some_covariance(rng);
     set.lines.push_back(line);
   }
@@ -148,6 +150,28 @@ TEST_P(LineFormats, KeepTheCovarianceWhereTheFormatHasRoomForIt) {
     EXPECT_TRUE(actual.lines[i].covariance_m2->isApprox(*expected.lines[i].covariance_m2,
                                                         kCovarianceTolerance));
   }
+}
+
+TEST_P(LineFormats, KeepSupportAndShiftOfScanEdgesWhereTheFormatHasRoomForThem) {
+  const LineSet expected = some_lines();
+  const LineSet actual = written_and_read(expected);
+  ASSERT_EQ(actual.lines.size(), expected.lines.size());
+  for (std::size_t i = 0; i < expected.lines.size(); ++i) {
+    const Line& a = actual.lines[i];
+    const Line& b = expected.lines[i];
+    ASSERT_EQ(a.support.has_value(), has_covariance(GetParam().format));
+    ASSERT_EQ(a.moved_out_m.has_value(), has_covariance(GetParam().format));
+    if (!a.support) continue;
+    EXPECT_NEAR(*a.support, *b.support, kCoordinateToleranceM);
+    EXPECT_NEAR(*a.moved_out_m, *b.moved_out_m, kCoordinateToleranceM);
+  }
+}
+
+TEST_P(LineFormats, InDxfLinesWithoutAClassAreOnTheLayerOfTheirKind) {
+  if (GetParam().format != LineFormat::kDxf) return;
+  LineSet set = some_lines();
+  for (Line& line : set.lines) line.line_class.clear();
+  for (const Line& line : written_and_read(set).lines) EXPECT_EQ(line.line_class, "ridge");
 }
 
 TEST_P(LineFormats, KeepTheObservationsWhereTheFormatHasRoomForThem) {

@@ -41,7 +41,8 @@ export class Sheet {
     return h('canvas', { class: name, width: Math.round(this.width * sharpness), height: Math.round(this.height * sharpness), 'aria-hidden': 'true' });
   }
 
-  private contextOf(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
+  /** A cleared canvas, to be drawn on in units of the drawing. */
+  contextOf(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
     const context = canvas.getContext('2d')!;
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, canvas.width, canvas.height);
