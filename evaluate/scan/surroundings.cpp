@@ -15,7 +15,9 @@ Seen Surroundings::within(const ScanRegion& region,
   const Eigen::Vector2d to = region.in_local(x + reach_m * out).head<2>();
   const Eigen::Vector2d u = (to - from).normalized();
   const double length_m = (to - from).norm();
-  const double border_z = region.in_local(x).z();
+  // coarse borders lie up to a cell too far out, where the plane of a roof is lower
+  constexpr double kInside_m = 0.5;
+  const double border_z = region.in_local(x - kInside_m * out).z();
   double lowest_m = HUGE_VAL, highest_m = -HUGE_VAL, lowest_z = HUGE_VAL;
   Seen seen;
   grid_.visit_near({from, to}, kHalfWidth_m, [&](const PointGrid::Point& p) {
