@@ -139,13 +139,13 @@ TEST_F(CompletenessOfARun, IsOfTheGroundThatTheFirstImageShows) {
   const ProgramResult result = run(with);
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("Edges of the scan that the lines have found"));
-  const json found = read_json(path("out/1/evaluation.lines.json"))["completeness"];
+  const json found = read_json(path("out/patch/evaluation.lines.json"))["completeness"];
   EXPECT_EQ(found["area_from"], "images");
   EXPECT_GT(found["edges"].size(), 0U);
   EXPECT_FALSE(test::read_csv(path("out/completeness.csv")).empty());
   // the stage `evaluate` depends on the option
   ASSERT_EQ(run(words).exit_code, 0);
-  EXPECT_FALSE(read_json(path("out/1/evaluation.lines.json")).contains("completeness"));
+  EXPECT_FALSE(read_json(path("out/patch/evaluation.lines.json")).contains("completeness"));
   EXPECT_FALSE(std::filesystem::exists(path("out/completeness.csv")));
 }
 
