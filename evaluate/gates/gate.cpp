@@ -66,9 +66,9 @@ void refuse_selectors(const Gate& gate) {
 
 void check_scan(const Gate& gate) {
   check(!gate.distance_m, "distance_m: ", gate.metric, " does not use it; only decoy_share does");
-  check(!gate.kind || std::ranges::find(kEdgeKinds, *gate.kind) != kEdgeKinds.end(),
+  check(!gate.kind || std::ranges::find(kExpectedKinds, *gate.kind) != kExpectedKinds.end(),
         "kind: ", gate.kind.value_or(""), "; ", gate.metric, " requires one of ",
-        fmt::format("{}", fmt::join(kEdgeKinds, ", ")));
+        fmt::format("{}", fmt::join(kExpectedKinds, ", ")));
   refuse_selectors(gate);
 }
 

@@ -14,7 +14,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr std::string_view kAnyKind = kEdgeKinds.back();
+constexpr std::string_view kAnyKind = kExpectedKinds.back();
 
 struct LengthClass {
   const char* name;
@@ -111,7 +111,7 @@ std::vector<CompletenessRow> completeness_rows(const std::vector<ExpectedEdge>& 
                                                const BootstrapOptions& options) {
   const std::vector<std::size_t> clusters = clusters_of(edges);
   std::vector<CompletenessRow> rows;
-  for (const std::string_view kind : kEdgeKinds) {
+  for (const std::string_view kind : kExpectedKinds) {
     for (const LengthClass& of_length : kLengthClasses) {
       CompletenessRow row = completeness_row(edges, clusters, kind, of_length, options);
       if (row.n + row.n_not_shown > 0) rows.push_back(std::move(row));

@@ -34,12 +34,12 @@ struct ExpectedEdge {
 };
 
 /// The kinds of the rows, the last of which has the edges of all kinds.
-inline constexpr std::array<std::string_view, 7> kEdgeKinds{"ridge", "hip",  "valley", "eave",
-                                                            "verge", "step", "all"};
+inline constexpr std::array<std::string_view, 7> kExpectedKinds{"ridge", "hip",  "valley", "eave",
+                                                                "verge", "step", "all"};
 
 /// How many of the scan's edges of one kind and length lines have found.
 struct CompletenessRow {
-  std::string kind;    ///< see kEdgeKinds
+  std::string kind;    ///< see kExpectedKinds
   std::string length;  ///< "2-4", "4-8", "8+" (m) or all
   std::size_t n = 0, n_found = 0;
   std::size_t n_not_shown = 0;  ///< further edges, which fewer than two images show

@@ -76,7 +76,8 @@ std::string completeness_to_terminal(std::span<const Evaluation> evaluations) {
                               in_sentence(e.method, Markup::kPlain), facts_of(*e.completeness)),
                   Markup::kPlain);
   }
-  return captioned("Edges of the scan that the lines have found", table, Markup::kPlain) + facts +
+  constexpr const char* kCaption = "Edges of the scan that the lines have found";
+  return (table.empty() ? "" : captioned(kCaption, table, Markup::kPlain)) + facts +
          paragraph(kEdgesNote, Markup::kPlain);
 }
 
