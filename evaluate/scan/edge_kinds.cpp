@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/scan/edge_kinds.h"
 
+#include "reconstruct/geometry/transformed.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,8 +41,8 @@ double across_sigma_m(const ScanEdge& edge) {
 }
 
 std::vector<EdgesOfKind> by_kind(std::span<const ScanEdge> edges) {
-  std::vector<EdgesOfKind> rows;
-  for (const char* const kind : kEdgeKinds) rows.push_back(row_of(kind, edges));
+  std::vector<EdgesOfKind> rows =
+      transformed(kEdgeKinds, [&](const char* kind) { return row_of(kind, edges); });
   rows.push_back(row_of(kAllKinds, edges));
   return rows;
 }
