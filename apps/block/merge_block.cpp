@@ -10,11 +10,14 @@
 #include "apps/run/patch_stages.h"
 #include "evaluate/files/judge_files.h"
 #include "evaluate/files/write_results.h"
+#include "evaluate/judge/plan_hull.h"
+#include "evaluate/tables/completeness_table.h"
 #include "evaluate/tables/shift_text.h"
 #include "evaluate/tables/table2.h"
 #include "evaluate/tables/terminal_table.h"
 #include "io/lines/read_lines.h"
 #include "io/lines/write_lines.h"
+#include "reconstruct/geometry/plan_box.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
@@ -151,9 +154,18 @@ class BlockMerge {
     return patch;
   }
 
+  /// The convex hull of the squares that have a patch.
+  [[nodiscard]] std::vector<Eigen::Vector2d> hull_of_squares() const {
+    std::vector<Eigen::Vector2d> corners;
+    for (const PlannedPatch& patch : plan_.patches)
+      std::ranges::copy(corners_of(patch.core_m), std::back_inserter(corners));
+    return evaluate::convex_hull(std::move(corners));
+  }
+
   void judge() {
     results::JudgeFilesOptions options = judge_options(frames_as_patch(), options_, out_, "");
     options.reference_lines = block_.reference_lines;
+    options.block_area_m = plan_.area_m.empty() ? hull_of_squares() : plan_.area_m;
     results::JudgedFiles judged = results::judge_files(options, record_);
     warn_of(judged.warnings);
     record_.add_warnings(judged.warnings);
@@ -281,6 +293,8 @@ class BlockMerge {
     results::write_tables(evaluations, truth, out_, adjusts_to_faces);
     if (has_figures(of_block))
       say("{}\n", evaluate::to_terminal(evaluate::make_table2(of_block, adjusts_to_faces)));
+    if (const std::string found = evaluate::completeness_to_terminal(of_block); !found.empty())
+      say("{}\n", found);
     std::vector<std::string> messages = judging_messages(plan_.block, of_block);
     std::ranges::move(evaluate::shift_messages(of_block, options_.shift.apply),
                       std::back_inserter(messages));

@@ -119,6 +119,12 @@ void add_decoys_option(CLI::App& app, std::optional<std::size_t>& n_decoys) {
       ->check(CLI::NonNegativeNumber);
 }
 
+void add_completeness_flag(CLI::App& app, bool& completeness) {
+  app.add_flag("--completeness", completeness,
+               "find the roof edges in the LIDAR cloud and report which of them the lines show; "
+               "takes several seconds per million points");
+}
+
 void add_shift_options(CLI::App& app, ShiftArguments& arguments) {
   app.add_flag("--apply-shift", arguments.apply,
                "remove a significant common shift between lines and LIDAR planes before judging; "

@@ -59,6 +59,9 @@ struct ShiftArguments {
 /// Adds `--decoys`.
 void add_decoys_option(CLI::App& app, std::optional<std::size_t>& n_decoys);
 
+/// Adds `--completeness`.
+void add_completeness_flag(CLI::App& app, bool& completeness);
+
 /// Adds `--apply-shift` and `--geoid`.
 void add_shift_options(CLI::App& app, ShiftArguments& arguments);
 

@@ -25,7 +25,7 @@ struct EvaluateArguments {
   std::vector<std::string> lines;
   CloudArguments cloud;
   std::string out, patch, reference_lines, write_points, schema = "plain";
-  bool vertex_pairs = false, report = true, overwrite = false;
+  bool vertex_pairs = false, report = true, overwrite = false, completeness = false;
   std::vector<double> area;
   std::string lod, write_attributes, id_column, building_column;
   std::vector<std::string> by;
@@ -74,6 +74,7 @@ void add_inputs(CLI::App& app, EvaluateArguments& a) {
   add_overwrite_flag(app, a.overwrite);
   add_shift_options(app, a.shift);
   add_decoys_option(app, a.n_decoys);
+  add_completeness_flag(app, a.completeness);
   add_schema_option(app, a.schema);
   add_page_options(app, a.page);
   add_report_flag(app, a.report);
@@ -141,6 +142,7 @@ results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   options.apply_shift = a.shift.apply;
   options.geoid = a.shift.geoid;
   options.n_decoys = a.n_decoys;
+  options.completeness = a.completeness;
   options.lines.assume_crs.definition = a.cloud.assume_crs;
   options.lines.vertex_pairs = a.vertex_pairs;
   options.lines.lod = a.lod;

@@ -8,6 +8,7 @@
 #include "evaluate/files/judged_map.h"
 #include "evaluate/files/model_files.h"
 #include "evaluate/files/write_results.h"
+#include "evaluate/tables/completeness_table.h"
 #include "evaluate/tables/decoy_table.h"
 #include "evaluate/tables/shift_text.h"
 #include "evaluate/tables/terminal_table.h"
@@ -41,6 +42,10 @@ std::vector<std::string> say_outcome(const results::JudgedFiles& judged,
   if (const std::string decoys = evaluate::decoys_to_terminal(judged.evaluations);
       !decoys.empty()) {
     say("{}\n", decoys);
+  }
+  if (const std::string found = evaluate::completeness_to_terminal(judged.evaluations);
+      !found.empty()) {
+    say("{}\n", found);
   }
   std::vector<std::string> messages = judging_messages(options.patch_name, judged.evaluations);
   std::ranges::move(evaluate::shift_messages(judged.evaluations, options.apply_shift),

@@ -26,7 +26,8 @@ constexpr std::string_view kKeys =
 #           of the tables) or by points and place (points_place); default: all judged lines
 #   within_m  for buildings_within_m: the largest acceptable RMS of a building's lines, as in
 #           {metric: buildings_within_m, within_m: 0.20, min: 0.90}
-#   kind    for decoy_share: height, across or match
+#   kind    for decoy_share: height, across or match; for scan_recall and scan_recall_length:
+#           ridge, hip, valley, eave, verge or step; default: all
 #   distance_m  for decoy_share: 0.5, 1, 2 or 5, as in
 #           {metric: decoy_share, kind: height, distance_m: 1, max: 0.02}. The gate fails if
 #           the interval is wider than its limit; raise --decoys of run and evaluate then.
@@ -92,10 +93,12 @@ std::string gates_template() {
   return fmt::format(
       "{}# Metrics of lines:\n{}# Metrics of matches:\n{}# Metrics of tracks, if the patch file "
       "has reference_tracks:\n{}# Metrics of buildings:\n{}# Metrics of decoys (lines moved on "
-      "purpose):\n{}{}",
+      "purpose):\n{}# Metrics of the edges of the scan, with --completeness of evaluate, run or "
+      "block:"
+      "\n{}{}",
       kKeys, list_of(evaluate::accuracy_metrics()), list_of(evaluate::matching_metrics()),
       list_of(evaluate::track_metrics()), list_of(evaluate::building_metrics()),
-      list_of(evaluate::decoy_metrics()), kGates);
+      list_of(evaluate::decoy_metrics()), list_of(evaluate::scan_metrics()), kGates);
 }
 
 }  // namespace ridgeline::apps

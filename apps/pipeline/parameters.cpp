@@ -268,6 +268,7 @@ nlohmann::ordered_json echo(const results::JudgeFilesOptions& options) {
   json["by"] = options.by;
   json["apply_shift"] = options.apply_shift;
   if (options.n_decoys) json["decoys"] = *options.n_decoys;
+  if (options.completeness) json["completeness"] = true;
   json["geoid"] = options.geoid;
   json["reconstruct"]["max_aligned_angle_deg"] = options.max_aligned_angle_deg;
   json["judge"] = echo(Parameters{{}, options.judge})["judge"];

@@ -8,6 +8,7 @@
 #include "evaluate/files/pool_runs.h"
 #include "evaluate/files/run_record.h"
 #include "evaluate/files/write_results.h"
+#include "evaluate/tables/completeness_table.h"
 #include "evaluate/tables/decoy_table.h"
 #include "evaluate/tables/shift_text.h"
 #include "evaluate/tables/terminal_table.h"
@@ -75,6 +76,9 @@ std::vector<std::string> say_outcome(const std::vector<evaluate::Evaluation>& ev
   }
   if (const std::string decoys = evaluate::decoys_to_terminal(evaluations); !decoys.empty()) {
     say("{}\n", decoys);
+  }
+  if (const std::string found = evaluate::completeness_to_terminal(evaluations); !found.empty()) {
+    say("{}\n", found);
   }
   std::vector<std::string> messages = judging_messages(evaluations.front().patch, evaluations);
   std::ranges::move(evaluate::shift_messages(evaluations, false), std::back_inserter(messages));

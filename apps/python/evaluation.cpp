@@ -63,6 +63,7 @@ results::JudgeFilesOptions judge_options(const py::dict& entries) {
   take(entries, "scale_to_ground", options.scale_to_ground);
   take(entries, "apply_shift", options.apply_shift);
   take(entries, "geoid", options.geoid);
+  take(entries, "completeness", options.completeness);
   if (entries.contains("decoys") && !entries["decoys"].is_none()) {
     take(entries, "decoys", options.n_decoys.emplace());
   }

@@ -8,6 +8,7 @@
 #include "evaluate/files/model_files.h"
 #include "evaluate/files/output_folder.h"
 #include "evaluate/files/write_results.h"
+#include "evaluate/tables/completeness_table.h"
 #include "evaluate/tables/decoy_table.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/table2.h"
@@ -101,11 +102,15 @@ std::vector<std::pair<std::string, std::string>> tables(const Judged& judged) {
   if (!judged.evaluation().decoys.empty()) {
     all.emplace_back("decoys", evaluate::decoys_to_csv(judged.files.evaluations));
   }
+  if (judged.evaluation().completeness) {
+    all.emplace_back("completeness", evaluate::completeness_to_csv(judged.files.evaluations));
+  }
   const results::ModelTables of_model = results::model_tables(judged.files, {});
   if (!of_model.buildings.empty()) {
     all.emplace_back("buildings", of_model.buildings);
     all.emplace_back("faces", of_model.faces);
     all.emplace_back("kinds", of_model.kinds);
+    if (of_model.with_scan_edges) all.emplace_back("missing_roofs", of_model.missing_roofs);
   }
   if (truth.references.empty()) return all;
   all.emplace_back("reference_errors", evaluate::reference_errors_to_csv(truth.references));

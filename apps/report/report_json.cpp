@@ -274,6 +274,10 @@ Json method_json(const ReportPatch& patch, const ReportMethod& method, const Sho
        {"options", "summary", "accuracy", "calibration", "strata", "standards", "decoys"}) {
     json[key] = std::move(judged.at(key));
   }
+  if (judged.contains("completeness")) {
+    json["completeness"] = std::move(judged["completeness"]);
+    json["completeness"].erase("edges");
+  }
   Json lines = Json::array();
   const std::vector<std::vector<LineInView>> in_views = lines_in_views(patch, method);
   for (std::size_t i = 0; i < method.lines.size(); ++i) {

@@ -54,6 +54,7 @@ results::JudgeFilesOptions judge_options(const io::Patch& patch,
   judged.apply_shift = options.shift.apply;
   judged.geoid = options.shift.geoid;
   judged.n_decoys = options.n_decoys;
+  judged.completeness = options.completeness;
   return judged;
 }
 
@@ -81,6 +82,7 @@ std::string JudgedPatch::key(std::vector<std::string> parts) const {
   if (options_.map_schema == results::MapSchema::kFkb) parts.emplace_back("fkb");
   if (options_.shift.apply) parts.emplace_back("apply shift");
   if (options_.n_decoys) parts.push_back(fmt::format("decoys {}", *options_.n_decoys));
+  if (options_.completeness) parts.emplace_back("completeness");
   if (!options_.shift.geoid.empty()) parts.push_back(io::sha256_of_file(options_.shift.geoid));
   parts.push_back(fmt::format("{} {} {} {}", options_.summary.gross_m, options_.summary.sigma_sys_m,
                               options_.summary.bootstrap.replicates,

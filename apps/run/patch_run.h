@@ -38,6 +38,7 @@ struct RunOptions {
   std::string config_path;                             ///< parameter file; may be empty
   ShiftArguments shift;
   std::optional<std::size_t> n_decoys;  ///< see results::JudgeFilesOptions
+  bool completeness = false;            ///< see results::JudgeFilesOptions
   bool resume = false;
   std::string until = kLastStage;  ///< the last stage: extract, match, reconstruct or evaluate
   bool report = true;              ///< report.html and the figures

@@ -24,6 +24,7 @@ void add_block_flags(CLI::App& app, RunFlags& flags) {
       ->check(CLI::IsMember(method_names()));
   add_matcher_option(app, flags.matcher);
   add_shift_options(app, flags.options.shift);
+  add_completeness_flag(app, flags.options.completeness);
   add_schema_option(app, flags.schema);
   add_pair_check_option(app, flags.options.max_y_parallax_px);
   add_image_size_option(app, flags.options.max_image_mpx);

@@ -10,6 +10,7 @@
 #include "evaluate/files/judged_map.h"
 #include "evaluate/files/write_results.h"
 #include "evaluate/statistics/product_method.h"
+#include "evaluate/tables/completeness_table.h"
 #include "evaluate/tables/decoy_table.h"
 #include "evaluate/tables/terminal_table.h"
 #include "io/error.h"
@@ -69,6 +70,7 @@ nlohmann::ordered_json echo_options(const RunOptions& options) {
   json["apply_shift"] = options.shift.apply;
   json["geoid"] = options.shift.geoid;
   if (options.n_decoys) json["decoys"] = *options.n_decoys;
+  if (options.completeness) json["completeness"] = true;
   if (options.until != kLastStage) json["until"] = options.until;
   json["gross_m"] = options.summary.gross_m;
   json["bootstrap_seed"] = options.summary.bootstrap.seed;
@@ -223,6 +225,10 @@ void run_patches(const std::string& command,
   std::erase_if(found.evaluations, [&](const auto& e) { return e.method != product; });
   if (const std::string decoys = evaluate::decoys_to_terminal(found.evaluations); !decoys.empty()) {
     say("{}\n", decoys);
+  }
+  if (const std::string edges = evaluate::completeness_to_terminal(found.evaluations);
+      !edges.empty()) {
+    say("{}\n", edges);
   }
   for (const std::string& message : found.messages) say("{}\n", message);
   const std::filesystem::path results = std::filesystem::absolute(folder).lexically_normal();

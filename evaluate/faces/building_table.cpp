@@ -135,14 +135,15 @@ std::string csv_row(const std::string& method, const BuildingRow& row) {
     return figure(row.shift_m ? std::optional((*row.shift_m)[axis]) : std::nullopt);
   };
   return fmt::format(
-      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}{}\n",
       escape_csv(method), escape_csv(row.id), text(row.verdict), row.n_lines, row.n_judged_lines,
       figure(row.rms_m), escape_csv(row.worst_line), figure(row.worst_distance_m), row.n_faces,
       row.n_judged_faces, area(row.area_m2), area(row.judged_area_m2), figure(row.wrong_height),
       figure(row.wrong_tilt), figure(row.wrong_outline), figure(row.heights.ridge_m),
       figure(row.heights.eave_m), figure(row.unexplained), shift(0), shift(1), shift(2),
       row.n_points, figure(row.points_rms_m), figure(row.points_p90_m),
-      figure(row.roof_points_rms_m), figure(row.covered));
+      figure(row.roof_points_rms_m), figure(row.covered),
+      row.scan_edges ? fmt::format(",{},{}", row.scan_edges->n, row.scan_edges->n_missing) : "");
 }
 
 }  // namespace
@@ -202,13 +203,14 @@ std::vector<BuildingRow> building_table(std::span<const RoofBuilding> buildings,
   return rows;
 }
 
-std::string buildings_csv_header() {
-  return "method,id,verdict,n_lines,n_judged_lines,rms_m,worst_line,worst_distance_m,n_faces,n_"
-         "judged_faces,"
-         "area_m2,judged_area_m2,wrong_height_share,wrong_tilt_share,wrong_outline_share,"
-         "ridge_height_m,eave_height_m,unexplained_share,shift_x_m,shift_y_m,shift_z_m,n_points,"
-         "points_rms_m,points_p90_m,"
-         "roof_points_rms_m,covered_share\n";
+std::string buildings_csv_header(bool with_scan_edges) {
+  const char* more = with_scan_edges ? ",n_scan_edges,n_missing_edges" : "";
+  return fmt::format(
+      "method,id,verdict,n_lines,n_judged_lines,rms_m,worst_line,worst_distance_m,n_faces,n_judged_"
+      "faces,area_m2,judged_area_m2,wrong_height_share,wrong_tilt_share,wrong_outline_share,ridge_"
+      "height_m,eave_height_m,unexplained_share,shift_x_m,shift_y_m,shift_z_m,n_points,points_rms_"
+      "m,points_p90_m,roof_points_rms_m,covered_share{}\n",
+      more);
 }
 
 std::string buildings_csv_rows(const std::string& method, std::span<const BuildingRow> rows) {

@@ -42,6 +42,12 @@ inline constexpr std::array kBuildingVerdicts{
 /// "changed", "gone" or "not judged".
 const char* text(BuildingVerdict verdict);
 
+/// Edges of the scan on a building.
+struct ScanEdgeCount {
+  int n = 0;
+  int n_missing = 0;  ///< of which the model has less than half
+};
+
 /// A building with the results of its judged lines and faces.
 struct BuildingRow {
   std::string id;
@@ -71,6 +77,7 @@ struct BuildingRow {
   /// to_roof_m.
   std::optional<double> points_rms_m, points_p90_m, roof_points_rms_m;
   double covered = 0.0;  ///< share of area_m2 that has points on its faces' planes nearby
+  std::optional<ScanEdgeCount> scan_edges{};  ///< empty if the model was not compared with them
 };
 
 /// One row per building, in the order of the buildings.
@@ -89,9 +96,9 @@ std::vector<BuildingRow> building_table(std::span<const RoofBuilding> buildings,
 /// ridge_height_m,eave_height_m,unexplained_share,shift_x_m,shift_y_m,shift_z_m,n_points,
 /// points_rms_m,points_p90_m,roof_points_rms_m,covered_share.
 /// Heights and shifts are model minus scan. Four decimals, one for areas; missing values are left
-/// empty.
-std::string buildings_csv_header();
-/// The rows of one method.
+/// empty. `with_scan_edges`: n_scan_edges,n_missing_edges follow.
+std::string buildings_csv_header(bool with_scan_edges);
+/// The rows of one method; all or none of them with edges of the scan.
 std::string buildings_csv_rows(const std::string& method, std::span<const BuildingRow> rows);
 
 }  // namespace ridgeline::evaluate

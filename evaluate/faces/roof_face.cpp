@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMaxFaceCoordinate_m = 1e7;  // as in in_range() for lines
 constexpr double kMaxFaceExtent_m = 1e4;      // anything larger is an error in the file, not a roof
-constexpr double kMinArea_m2 = 1e-6;
+constexpr double kDegenerateArea_m2 = 1e-6;
 
 bool is_fit(const std::vector<Ring>& rings) {
   if (rings.empty()) return false;
@@ -42,7 +42,7 @@ RoofFace make_roof_face(std::string id, std::vector<Ring> rings) {
   for (std::size_t i = 1; i < face.rings.size(); ++i) {
     face.area_m2 -= area_vector(face.rings[i]).norm();
   }
-  if (!(face.area_m2 > kMinArea_m2)) {
+  if (!(face.area_m2 > kDegenerateArea_m2)) {
     face.area_m2 = 0.0;
     return face;
   }

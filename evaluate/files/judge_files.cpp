@@ -6,6 +6,7 @@
 #include "evaluate/files/line_area.h"
 #include "evaluate/files/model_files.h"
 #include "evaluate/files/prepare_lines.h"
+#include "evaluate/files/scan_comparison.h"
 #include "io/error.h"
 #include "io/text/utf8.h"
 #include "reconstruct/geometry/transformed.h"
@@ -116,6 +117,8 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
   PreparedLines prepared = prepare_lines(std::move(to_judge), cloud, options);
   check_models(prepared.judged.line_sets, options);
   record.end_stage("read_lines");
+  std::vector<std::vector<Segment3>> finding;
+  if (options.completeness) finding = finding_lines(prepared.lines);
   DecoySets decoys = decoys_of(prepared.lines, options);
   std::vector<AreaLines> of_area;
   if (options.area) of_area = keep_area(options, cloud, prepared, decoys);
@@ -126,6 +129,9 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
   JudgedFiles judged =
       finish_judging(std::move(prepared), std::move(batches), cloud, options, record);
   judge_models(cloud, options, record, judged);
+  if (options.completeness) {
+    compare_files_with_scan(std::move(finding), cloud, options, record, judged);
+  }
   return judged;
 }
 

@@ -51,6 +51,10 @@ struct JudgeFilesOptions {
   /// Whether lines that fit the cloud no better than elsewhere cause an error instead of a warning.
   bool refuse_other_places = true;
   bool needs_models = false;  ///< whether line files must be models of buildings
+  /// Whether to find the edges of the scan and compare the lines with them, see scan_area().
+  bool completeness = false;
+  /// Corners of the area of a block, convex, counter-clockwise, metres in the CRS; may be empty.
+  std::vector<Eigen::Vector2d> block_area_m = {};
 };
 
 struct JudgedFiles {

@@ -4,6 +4,7 @@
 #include "evaluate/files/judged_lines.h"
 #include "evaluate/files/map_layers.h"
 #include "evaluate/files/map_style.h"
+#include "evaluate/files/missing_layers.h"
 #include "evaluate/files/to_fix.h"
 #include "evaluate/judge/roof_kind.h"
 #include "io/gdal/geopackage_writer.h"
@@ -320,6 +321,10 @@ void write_judged_map(const std::string& path,
   layers.push_back(lines_layer(set, evaluation, judged.planes[i], schema));
   layers.push_back(vectors_layer(set, evaluation, unit_m, to_map));
   layers.push_back(to_fix_layer(to_fix(judged, i), to_map));
+  if (evaluation.completeness) layers.push_back(missing_layer(*evaluation.completeness, to_map));
+  const bool compared = i < judged.models.size() && judged.models[i].has_value() &&
+                        judged.models[i]->missing_roofs.has_value();
+  if (compared) layers.push_back(missing_roofs_layer(*judged.models[i]->missing_roofs, to_map));
   io::write_geopackage(path, set.crs.known() ? set.crs : judged.cloud_crs, layers);
 }
 

@@ -37,6 +37,7 @@ std::string left_out_of_map(const io::LineSet& set);
 ///   vectors  from the midpoint of each judged line to its foot point on each of its planes
 ///   to_fix   what to fix first, see to_fix()
 ///   buildings, faces  of a model, see model_layers()
+///   missing, missing_roofs  if the lines were compared with the edges of the scan
 /// Throws IoError if the file cannot be written.
 void write_judged_map(const std::string& path,
                       const JudgedFiles& judged,

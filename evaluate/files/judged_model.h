@@ -10,12 +10,22 @@
 #include "io/lines/line_set.h"
 #include "reconstruct/geometry/local_frame.h"
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace ridgeline::results {
+
+/// A roof of the scan that no building of a model explains.
+struct MissingRoof {
+  double area_m2 = 0.0;
+  double explained = 0.0;  ///< share of it, in plan, over or under which the model has a building
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();  ///< local
+  std::vector<std::vector<Eigen::Vector3d>> rings;   ///< see evaluate::ScanPlane; local
+};
 
 /// The judged roof faces of a model, by building; local metres.
 struct JudgedModel {
@@ -25,6 +35,8 @@ struct JudgedModel {
   std::vector<std::vector<evaluate::FaceEvaluation>> faces;  ///< of each building
   std::vector<evaluate::PointDistances> points;              ///< of each building
   std::vector<evaluate::BuildingRow> rows;                   ///< of each building
+  /// See missing_roofs(); empty if the model was not compared with the edges of the scan.
+  std::optional<std::vector<MissingRoof>> missing_roofs{};
 };
 
 /// Judges the roof faces of a model whose edges were judged as lines. `set`: as read, or already

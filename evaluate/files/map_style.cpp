@@ -346,6 +346,19 @@ io::MapStyle to_fix_style() {
   return {"to fix", qml_by_rules(rules, symbols), sld("to_fix", sld_rules)};
 }
 
+io::MapStyle missing_style() {
+  return {"not found",
+          qml_by_rules("<rule key=\"{all}\" symbol=\"0\" label=\"edge without a line\"/>\n",
+                       qml_line(0, kChanged, 1.0)),
+          sld("missing", sld_line_rule("edge without a line", "", kChanged, 3.0))};
+}
+
+io::MapStyle missing_roofs_style() {
+  const std::vector<AreaRule> rules{
+      {.label = "roof without a building", .colour = kChanged, .fill = "f_diagonal"}};
+  return {"missing roofs", qml_of_areas(rules), sld_of_areas("missing_roofs", rules)};
+}
+
 io::MapStyle edge_kinds_style() {
   std::string rules, symbols, sld_rules;
   for (std::size_t i = 0; i < kKindColours.size(); ++i) {

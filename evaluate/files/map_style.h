@@ -19,6 +19,10 @@ io::MapStyle buildings_style();
 io::MapStyle faces_style();
 /// Markers for what to fix, the first ten larger.
 io::MapStyle to_fix_style();
+/// Edges of the scan without a line as wide lines.
+io::MapStyle missing_style();
+/// Roofs of the scan without a building as hatched areas.
+io::MapStyle missing_roofs_style();
 /// Edges of a scan by `kind`.
 io::MapStyle edge_kinds_style();
 /// Vectors as thin dark lines.

@@ -16,6 +16,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -69,6 +70,20 @@ std::optional<std::string> points_message(const JudgedModel& model) {
   return text;
 }
 
+/// What the model lacks; std::nullopt if it was not compared with the edges of the scan.
+std::optional<std::string> lacks_message(const JudgedModel& model) {
+  if (!model.missing_roofs) return std::nullopt;
+  int n = 0, n_missing = 0;
+  for (const evaluate::BuildingRow& row : model.rows) {
+    n += row.scan_edges ? row.scan_edges->n : 0;
+    n_missing += row.scan_edges ? row.scan_edges->n_missing : 0;
+  }
+  return fmt::format(
+      "{} of {} roof edges of the scan on these buildings are missing in the model; {} roofs of 20 "
+      "m2 and more lie on no building",
+      n_missing, n, model.missing_roofs->size());
+}
+
 }  // namespace
 
 std::string value_in(const io::AttributeTable& table, std::size_t row, const std::string& name) {
@@ -79,7 +94,7 @@ std::string value_in(const io::AttributeTable& table, std::size_t row, const std
 }
 
 std::vector<std::string> model_names() {
-  return {"buildings.csv", "faces.csv", "kinds.csv", "buildings_by.csv"};
+  return {"buildings.csv", "faces.csv", "kinds.csv", "buildings_by.csv", "missing_roofs.csv"};
 }
 
 std::string by_rows(const std::string& method,
@@ -109,11 +124,27 @@ std::string by_rows(const std::string& method,
   return text;
 }
 
+std::string missing_roof_rows(const std::string& method, std::vector<MissingRoofRow> roofs) {
+  std::ranges::stable_sort(roofs, [](const MissingRoofRow& a, const MissingRoofRow& b) {
+    return std::tuple(-a.area_m2, a.middle.x(), a.middle.y()) <
+           std::tuple(-b.area_m2, b.middle.x(), b.middle.y());
+  });
+  std::string text;
+  for (std::size_t i = 0; i < roofs.size(); ++i) {
+    const Eigen::Vector3d& x = roofs[i].middle;
+    text += fmt::format("{},{},{:.2f},{:.4f},{:.3f},{:.3f},{:.3f}\n", evaluate::escape_csv(method),
+                        i + 1, roofs[i].area_m2, roofs[i].explained, x.x(), x.y(), x.z());
+  }
+  return text;
+}
+
 ModelTables with_headers(ModelTables rows) {
   if (rows.buildings.empty()) return {};
-  rows.buildings.insert(0, evaluate::buildings_csv_header());
+  rows.buildings.insert(0, evaluate::buildings_csv_header(rows.with_scan_edges));
   rows.faces.insert(0, evaluate::faces_csv_header());
   rows.kinds.insert(0, "method,stated_kind,scan_kind,n_lines\n");
+  if (rows.with_scan_edges)
+    rows.missing_roofs.insert(0, "method,id,area_m2,explained_share,x,y,z\n");
   if (!rows.by.empty())
     rows.by.insert(0,
                    "method,column,value,n_buildings,n_judged_buildings,n_right,n_lines,"
@@ -130,6 +161,15 @@ ModelTables model_tables(const JudgedFiles& judged, const std::vector<std::strin
     tables.buildings += evaluate::buildings_csv_rows(method, model.rows);
     tables.faces += evaluate::faces_csv_rows(method, model.buildings, model.faces);
     tables.kinds += kinds_rows(judged, i);
+    if (model.missing_roofs) {
+      tables.with_scan_edges = true;
+      tables.missing_roofs +=
+          missing_roof_rows(method, transformed(*model.missing_roofs, [&](const MissingRoof& roof) {
+                              const Eigen::Vector3d middle_m = roof.middle + judged.frame.origin_m;
+                              return MissingRoofRow{roof.area_m2, roof.explained,
+                                                    middle_m.cwiseQuotient(judged.cloud_unit_m)};
+                            }));
+    }
     for (const std::string& column : by) {
       const std::vector<std::string> values = transformed(model.places, [&](std::size_t place) {
         return value_in(judged.line_sets[i].features, place, column);
@@ -142,7 +182,8 @@ ModelTables model_tables(const JudgedFiles& judged, const std::vector<std::strin
 
 void write_models(const ModelTables& tables, const OutputFolder& out) {
   const std::vector<std::string> names = model_names();
-  const std::array texts{&tables.buildings, &tables.faces, &tables.kinds, &tables.by};
+  const std::array texts{&tables.buildings, &tables.faces, &tables.kinds, &tables.by,
+                         &tables.missing_roofs};
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (texts[i]->empty())
       out.remove(names[i]);
@@ -167,6 +208,7 @@ std::vector<std::string> model_messages(const JudgedFiles& judged) {
     }
     messages.push_back(std::move(text));
     if (const auto points = points_message(*judged.models[i])) messages.push_back(*points);
+    if (const auto lacks = lacks_message(*judged.models[i])) messages.push_back(*lacks);
   }
   return messages;
 }

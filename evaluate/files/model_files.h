@@ -4,6 +4,8 @@
 #include "evaluate/files/judge_files.h"
 #include "evaluate/files/output_folder.h"
 
+#include <Eigen/Core>
+
 #include <string>
 #include <vector>
 
@@ -12,7 +14,7 @@ namespace ridgeline::results {
 /// The value of a column in a row; empty text if the row has none.
 std::string value_in(const io::AttributeTable& table, std::size_t row, const std::string& name);
 
-/// "buildings.csv", "faces.csv", "kinds.csv" and "buildings_by.csv".
+/// "buildings.csv", "faces.csv", "kinds.csv", "buildings_by.csv" and "missing_roofs.csv".
 std::vector<std::string> model_names();
 
 /// The tables of models as CSV; empty if no line file is a model.
@@ -20,10 +22,23 @@ struct ModelTables {
   std::string buildings, faces, kinds;
   /// Buildings and lines by the values of JudgeFilesOptions::by; may be empty.
   std::string by;
+  std::string missing_roofs;     ///< empty unless the models were compared with the scan's edges
+  bool with_scan_edges = false;  ///< whether they were
 };
+
+/// A row of missing_roofs.csv.
+struct MissingRoofRow {
+  double area_m2 = 0.0, explained = 0.0;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();  ///< in the cloud's coordinates
+};
+
+/// The rows of missing_roofs.csv for one method, the largest roof first.
+std::string missing_roof_rows(const std::string& method, std::vector<MissingRoofRow> roofs);
+
 /// The tables of those line files that are models: buildings.csv and faces.csv by method, and
 /// kinds.csv, which counts edges by their kind in the model and their kind according to the planes
-/// in the scan. `by`: the attributes for buildings_by.csv, see JudgeFilesOptions::by.
+/// in the scan; missing_roofs.csv if the edges of the scan are known. `by`: the attributes for
+/// buildings_by.csv, see JudgeFilesOptions::by.
 ModelTables model_tables(const JudgedFiles& judged, const std::vector<std::string>& by);
 
 /// The rows of buildings_by.csv for one attribute.

@@ -105,9 +105,14 @@ void pool_by(const Evaluation& evaluation,
 
 using Buildings = std::vector<PooledBuilding>;
 
+bool has_completeness(const AreaRun& run) {
+  return run.run.at("options").value("completeness", false);
+}
+
 /// Adds the buildings of a run to the lists by line file.
 void add_buildings(const AreaRun& run, std::vector<Buildings>& buildings) {
-  Rows rows(run, "buildings.csv", n_columns_of(evaluate::buildings_csv_header()));
+  const bool with_scan_edges = has_completeness(run);
+  Rows rows(run, "buildings.csv", n_columns_of(evaluate::buildings_csv_header(with_scan_edges)));
   Rows faces(run, "faces.csv", n_columns_of(evaluate::faces_csv_header()));
   for (std::size_t i = 0; i < buildings.size(); ++i) {
     for (const evaluate::AreaBuilding& building : run.evaluations[i].area->buildings) {
@@ -133,25 +138,43 @@ void add_kinds(const AreaRun& run, const std::vector<Evaluation>& evaluations, K
   }
 }
 
+/// Missing roofs by method.
+using MissingRoofs = std::map<std::string, std::vector<MissingRoofRow>>;
+
+void add_missing_roofs(const AreaRun& run, MissingRoofs& missing) {
+  constexpr std::size_t kColumns = 7;
+  for (Rows rows(run, "missing_roofs.csv", kColumns); !rows.at_end();) {
+    MissingRoofRow row{rows.number("area_m2"),
+                       rows.number("explained_share"),
+                       {rows.number("x"), rows.number("y"), rows.number("z")}};
+    missing[rows.take().front()].push_back(std::move(row));
+  }
+}
+
 }  // namespace
 
 ModelTables pooled_models(const std::vector<AreaRun>& runs,
                           const std::vector<Evaluation>& evaluations) {
   std::vector<Buildings> buildings(evaluations.size());
   Kinds kinds;
+  MissingRoofs missing;
   for (const AreaRun& run : runs) {
     if (!fs::exists(fs::path(run.folder) / "buildings.csv")) continue;
     add_buildings(run, buildings);
     add_kinds(run, evaluations, kinds);
+    if (has_completeness(run)) add_missing_roofs(run, missing);
   }
   const auto columns = runs.front().run.at("options").at("by").get<std::vector<std::string>>();
   ModelTables pooled;
+  pooled.with_scan_edges = has_completeness(runs.front());
   for (std::size_t i = 0; i < evaluations.size(); ++i) {
     std::ranges::sort(buildings[i], {}, &PooledBuilding::number);
     for (const PooledBuilding& building : buildings[i]) {
       pooled.buildings += building.row;
       pooled.faces += building.faces;
     }
+    pooled.missing_roofs +=
+        missing_roof_rows(evaluations[i].method, std::move(missing[evaluations[i].method]));
     if (!buildings[i].empty()) pool_by(evaluations[i], buildings[i], columns, pooled.by);
   }
   for (const auto& [kind, n] : kinds) {

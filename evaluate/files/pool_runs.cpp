@@ -241,6 +241,17 @@ void pool_decoys(std::vector<AreaRun>& runs,
   add_decoys(decoys, lines, pooled);
 }
 
+void pool_completeness(const std::vector<AreaRun>& runs, std::size_t method, Evaluation& pooled) {
+  std::vector<const evaluate::Completeness*> parts;
+  for (const AreaRun& run : runs) {
+    const auto& part = run.evaluations[method].completeness;
+    if (part) parts.push_back(&*part);
+  }
+  if (!parts.empty()) {
+    pooled.completeness = evaluate::pooled(parts, pooled.options.bootstrap);
+  }
+}
+
 Evaluation pooled_evaluation(std::vector<AreaRun>& runs,
                              std::size_t method,
                              std::vector<std::string>& warnings) {
@@ -267,6 +278,7 @@ Evaluation pooled_evaluation(std::vector<AreaRun>& runs,
     refuse_run(runs.front().folder, "lines and cloud are not in the same frame: " + check.reason);
   }
   pool_decoys(runs, method, places, pooled);
+  pool_completeness(runs, method, pooled);
   check_follows_cloud(pooled, runs.front().folder, {}, warnings);
   return pooled;
 }

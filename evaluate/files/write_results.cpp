@@ -7,6 +7,7 @@
 #include "evaluate/statistics/product_method.h"
 #include "evaluate/statistics/strata.h"
 #include "evaluate/tables/accuracy_table.h"
+#include "evaluate/tables/completeness_table.h"
 #include "evaluate/tables/decoy_table.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/shift_text.h"
@@ -136,7 +137,8 @@ std::vector<std::string> result_names(const std::vector<std::string>& line_paths
       "run.json",     "tolerances.csv",       "tolerances.md",
       "reference.md", "reference_errors.csv", "reference_completeness.csv",
       "parts.csv",    "wireframe.csv",        "quality.csv",
-      "quality.xml",  "decoys.csv",           kToFixName};
+      "quality.xml",  "decoys.csv",           "completeness.csv",
+      kToFixName};
   for (std::string& name : model_names()) names.push_back(std::move(name));
   for (const std::string& path : line_paths) {
     for (std::string& name : evaluation_names(stem_of(path))) names.push_back(std::move(name));
@@ -156,7 +158,7 @@ void write_evaluation_files(const Evaluation& e,
                 evaluate::to_markdown(evaluate::accuracy_statements(e)) + "\n" +
                 evaluate::to_markdown(evaluate::stratify(e)) +
                 evaluate::standards_to_markdown(evaluate::standards_blocks(e)) +
-                evaluate::decoys_to_markdown(e));
+                evaluate::decoys_to_markdown(e) + evaluate::completeness_to_markdown(e));
 }
 
 void write_judged(const JudgedFiles& judged,
@@ -211,6 +213,12 @@ void write_tables(std::span<const Evaluation> evaluations,
     out.write("decoys.csv", evaluate::decoys_to_csv(evaluations));
   } else {
     out.remove("decoys.csv");
+  }
+  if (std::ranges::any_of(evaluations,
+                          [](const Evaluation& e) { return e.completeness.has_value(); })) {
+    out.write("completeness.csv", evaluate::completeness_to_csv(evaluations));
+  } else {
+    out.remove("completeness.csv");
   }
 }
 

@@ -48,6 +48,7 @@ void write_plane_points(const std::string& path, const JudgedFiles& judged);
 ///     lines
 ///   quality.{csv,xml}: the measures of ISO 19157
 ///   decoys.csv: if there are decoys
+///   completeness.csv: if the lines were compared with the edges of the scan
 void write_tables(std::span<const evaluate::Evaluation> evaluations,
                   const std::vector<TruthRows>& truth,
                   const OutputFolder& out,

@@ -41,7 +41,7 @@ Figure empty_figure(const std::string& patch,
 }
 
 bool is_by_class(const std::string& metric) {
-  return !is_matching_metric(metric) && !is_decoy_metric(metric);
+  return !is_matching_metric(metric) && !is_decoy_metric(metric) && !is_scan_metric(metric);
 }
 
 Figure missing_figure(const Gate& gate,
@@ -143,6 +143,26 @@ Figure decoy_figure(const Evaluation& e, const Gate& gate) {
   return figure;
 }
 
+Figure scan_figure(const Evaluation& e, const Gate& gate) {
+  Figure figure = empty_figure(e.patch, e.method, "");
+  if (!e.completeness) {
+    figure.why_missing = "the lines were not compared with the edges of the scan (`completeness`)";
+    return figure;
+  }
+  const std::string kind = gate.kind.value_or("all");
+  const CompletenessRow* row = find_row(*e.completeness, kind);
+  if (row == nullptr || row->n == 0) {
+    figure.why_missing = kind == "all" ? "the scan has no edges in the area of the lines"
+                                       : fmt::format("the scan has no {} there", kind);
+    return figure;
+  }
+  figure.value = metric_value(*row, gate.metric);
+  figure.ci95 = metric_interval(*row, gate.metric);
+  figure.n_clusters = row->n_clusters;
+  figure.n = row->n;
+  return figure;
+}
+
 Figure accuracy_figure(const Evaluation& e, const std::string& line_class, const Gate& gate) {
   const std::string& metric = gate.metric;
   Figure figure = empty_figure(e.patch, e.method, line_class);
@@ -206,6 +226,7 @@ std::vector<Figure> accuracy_figures(const Gate& gate,
     if (gate.method.value_or(e->method) != e->method) continue;
     figures.push_back(is_building_metric(gate.metric) ? building_figure(*e, line_class, gate)
                       : is_decoy_metric(gate.metric)  ? decoy_figure(*e, gate)
+                      : is_scan_metric(gate.metric)   ? scan_figure(*e, gate)
                                                       : accuracy_figure(*e, line_class, gate));
   }
   if (figures.empty()) {

@@ -4,6 +4,7 @@
 #include "evaluate/gates/figure.h"
 #include "evaluate/gates/gate_warnings.h"
 #include "evaluate/gates/metric.h"
+#include "evaluate/statistics/completeness.h"
 #include "evaluate/statistics/image_count.h"
 #include "reconstruct/geometry/check.h"
 
@@ -24,6 +25,7 @@ Metric metric_of(const Gate& gate) {
   for (const Metric& m : track_metrics()) known.push_back(m.name);
   for (const Metric& m : building_metrics()) known.push_back(m.name);
   for (const Metric& m : decoy_metrics()) known.push_back(m.name);
+  for (const Metric& m : scan_metrics()) known.push_back(m.name);
   check(metric.has_value(), "metric: ", gate.metric, "; must be one of ",
         fmt::format("{}", fmt::join(known, ", ")));
   return *metric;
@@ -51,10 +53,30 @@ void check_allowances(const Gate& gate, const Metric& metric) {
   check_allowance("max_decrease_below_baseline", gate.max_decrease_below_baseline.value_or(0.0));
 }
 
-void check_decoys(const Gate& gate) {
+/// Throws for a selector of lines in a gate on a figure of all lines.
+void refuse_selectors(const Gate& gate) {
+  check(gate.line_class == kTotal, "class: ", gate.line_class, "; ", gate.metric,
+        " covers all classes, so class must be omitted");
+  check(!gate.n_images, "n_images: ", gate.n_images.value_or(0), "; ", gate.metric,
+        " covers lines of any number of images, so n_images must be omitted");
+  check(!gate.decided_by, "decided_by: ", gate.metric,
+        " covers all judged lines, so decided_by must be omitted");
+  check(!gate.max_ratio_to_class, "max_ratio_to: ", gate.metric, " has no classes to compare");
+}
+
+void check_scan(const Gate& gate) {
+  check(!gate.distance_m, "distance_m: ", gate.metric, " does not use it; only decoy_share does");
+  check(!gate.kind || std::ranges::find(kEdgeKinds, *gate.kind) != kEdgeKinds.end(),
+        "kind: ", gate.kind.value_or(""), "; ", gate.metric, " requires one of ",
+        fmt::format("{}", fmt::join(kEdgeKinds, ", ")));
+  refuse_selectors(gate);
+}
+
+void check_kind(const Gate& gate) {
+  if (is_scan_metric(gate.metric)) return check_scan(gate);
   if (!is_decoy_metric(gate.metric)) {
     check(!gate.kind && !gate.distance_m, gate.kind ? "kind: " : "distance_m: ", gate.metric,
-          " does not use it; only decoy_share does");
+          " does not use it; only decoy_share ", gate.kind ? "and scan_recall do" : "does");
     return;
   }
   const auto is_kind = [&](DecoyKind kind) { return name(kind) == gate.kind; };
@@ -64,13 +86,7 @@ void check_decoys(const Gate& gate) {
   check(std::ranges::any_of(kDecoyDistances_m, is_distance),
         "distance_m: ", gate.distance_m ? fmt::format("{}", *gate.distance_m) : "none",
         "; decoy_share requires one of ", fmt::format("{}", fmt::join(kDecoyDistances_m, ", ")));
-  check(gate.line_class == kTotal, "class: ", gate.line_class,
-        "; decoy_share covers all classes, so class must be omitted");
-  check(!gate.n_images, "n_images: ", gate.n_images.value_or(0),
-        "; decoy_share covers lines of any number of images, so n_images must be omitted");
-  check(!gate.decided_by,
-        "decided_by: decoy_share covers all judged lines, so decided_by must be omitted");
-  check(!gate.max_ratio_to_class, "max_ratio_to: decoy_share has no classes to compare");
+  refuse_selectors(gate);
 }
 
 /// An upper limit is meaningless for a figure that must not fall, and intervals of other figures
@@ -78,7 +94,7 @@ void check_decoys(const Gate& gate) {
 void check_bound(const Gate& gate) {
   if (gate.bound == GateBound::kPoint) return;
   check(has_clustered_interval(gate.metric), "bound: upper95; ", gate.metric,
-        " has no clustered interval; only rms_m and decoy_share have");
+        " has no clustered interval to limit; only rms_m and decoy_share have");
   const auto refuse = [](const char* rule, bool is_given) {
     check(!is_given, "bound: upper95; only for max, so ", rule, " needs its own entry");
   };
@@ -127,13 +143,13 @@ GateResult begin_result(const Gate& gate, const Figure& figure, const std::strin
   const std::string decided_by =
       gate.decided_by ? fmt::format(" decided by {}", name(*gate.decided_by)) : "";
   const std::string within = gate.within_m ? fmt::format(" {}", *gate.within_m) : "";
-  const std::string moved =
-      gate.kind ? fmt::format(" {} {} m", *gate.kind, gate.distance_m.value_or(0.0)) : "";
+  const std::string of_kind = gate.kind ? fmt::format(" {}", *gate.kind) : "";
+  const std::string moved = gate.distance_m ? fmt::format(" {} m", *gate.distance_m) : "";
   const std::string bound =
       gate.bound == GateBound::kPoint ? "" : fmt::format(" {}", name(gate.bound));
   result.rule =
-      fmt::format("{}{}{}{}{}{}{}{} {}", figure.line_class, figure.line_class.empty() ? "" : " ",
-                  gate.metric, within, moved, of_images, decided_by, bound, rule);
+      fmt::format("{}{}{}{}{}{}{}{}{} {}", figure.line_class, figure.line_class.empty() ? "" : " ",
+                  gate.metric, within, of_kind, moved, of_images, decided_by, bound, rule);
   if (gate.n_min) result.rule += fmt::format(" (n >= {})", *gate.n_min);
   result.patch = figure.patch;
   result.method = figure.method;
@@ -298,7 +314,7 @@ void validate(const Gate& gate) {
   check_limit("min", gate.min, metric);
   check(std::isfinite(gate.ratio) && gate.ratio > 0.0, "ratio: ", gate.ratio, "; must be > 0");
   check_allowances(gate, metric);
-  check_decoys(gate);
+  check_kind(gate);
   check_bound(gate);
 }
 

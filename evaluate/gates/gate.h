@@ -35,7 +35,8 @@ struct Gate {
   std::optional<DecidedGroup> decided_by;  ///< only judged lines of this group
   std::optional<double> within_m;          ///< of building_metrics()
   std::string metric = "rms_m";            ///< see find_metric()
-  std::optional<std::string> kind;         ///< of decoy_metrics(): height, across or match
+  std::optional<std::string> kind;         ///< of decoy_metrics(): height, across or match; of
+                                           ///< scan_metrics(): ridge, hip, ..., default: all
   std::optional<double> distance_m;        ///< of decoy_metrics(): size of the displacement
   GateBound bound = GateBound::kPoint;     ///< kUpper95 only with `max`
 

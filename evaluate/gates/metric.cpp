@@ -116,6 +116,17 @@ constexpr std::array kDecoyMetrics{
     DecoyMetric{{"decoy_share",
                  "share of the lines moved by distance_m that still pass within 0.2 m", kAsShare}}};
 
+struct ScanMetric {
+  Metric metric;
+  std::optional<double> (*figure)(const CompletenessRow&);
+};
+
+constexpr std::array kScanMetrics{
+    ScanMetric{{"scan_recall", "share of the scan's edges that the lines have found", kAsShare},
+               [](const CompletenessRow& row) { return row.recall(); }},
+    ScanMetric{{"scan_recall_length", "share of their length that has lines beside it", kAsShare},
+               [](const CompletenessRow& row) { return row.recall_by_length(); }}};
+
 template <typename Entries>
 std::vector<Metric> metrics_of(const Entries& entries) {
   return transformed(entries, [&](const auto& entry) { return entry.metric; });
@@ -150,12 +161,15 @@ std::vector<Metric> building_metrics() { return metrics_of(kBuildingMetrics); }
 
 std::vector<Metric> decoy_metrics() { return metrics_of(kDecoyMetrics); }
 
+std::vector<Metric> scan_metrics() { return metrics_of(kScanMetrics); }
+
 std::optional<Metric> find_metric(std::string_view name) {
   if (const auto* entry = find_entry(kAccuracyMetrics, name)) return entry->metric;
   if (const auto* entry = find_entry(kMatchingMetrics, name)) return entry->metric;
   if (const auto* entry = find_entry(kTrackMetrics, name)) return entry->metric;
   if (const auto* entry = find_entry(kBuildingMetrics, name)) return entry->metric;
   if (const auto* entry = find_entry(kDecoyMetrics, name)) return entry->metric;
+  if (const auto* entry = find_entry(kScanMetrics, name)) return entry->metric;
   return std::nullopt;
 }
 
@@ -166,6 +180,8 @@ bool is_building_metric(std::string_view name) {
 }
 
 bool is_decoy_metric(std::string_view name) { return find_entry(kDecoyMetrics, name) != nullptr; }
+
+bool is_scan_metric(std::string_view name) { return find_entry(kScanMetrics, name) != nullptr; }
 
 bool has_clustered_interval(std::string_view name) {
   return name == kRmsMetric || is_decoy_metric(name);
@@ -185,6 +201,14 @@ std::optional<double> metric_value(const MatchCounts& counts, std::string_view m
 
 std::optional<double> metric_value(const TrackCounts& counts, std::string_view metric) {
   return entry_of(kTrackMetrics, metric).figure(counts);
+}
+
+std::optional<double> metric_value(const CompletenessRow& row, std::string_view metric) {
+  return entry_of(kScanMetrics, metric).figure(row);
+}
+
+std::optional<Interval> metric_interval(const CompletenessRow& row, std::string_view metric) {
+  return metric == kScanMetrics[0].metric.name ? row.ci95 : std::nullopt;
 }
 
 std::size_t metric_count(const TrackCounts& counts, std::string_view metric) {

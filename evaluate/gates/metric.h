@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "evaluate/statistics/completeness.h"
 #include "evaluate/statistics/summary.h"
 #include "evaluate/tables/table1.h"
 
@@ -36,13 +37,17 @@ std::vector<Metric> building_metrics();
 /// Figures of decoys: decoy_share.
 std::vector<Metric> decoy_metrics();
 
+/// Figures of the edges of the scan: scan_recall, scan_recall_length.
+std::vector<Metric> scan_metrics();
+
 /// A metric of any kind by its name; empty for an unknown name.
 std::optional<Metric> find_metric(std::string_view name);
 bool is_matching_metric(std::string_view name);
 bool is_track_metric(std::string_view name);
 bool is_building_metric(std::string_view name);
 bool is_decoy_metric(std::string_view name);
-/// Whether the figure has an interval from a bootstrap over clusters.
+bool is_scan_metric(std::string_view name);
+/// Whether the figure has an interval from a bootstrap over clusters that a gate may limit.
 bool has_clustered_interval(std::string_view name);
 
 /// The value of a metric for a class; empty if the class does not have it.
@@ -57,9 +62,13 @@ std::optional<double> metric_value(const MatchCounts& counts, std::string_view m
 std::optional<double> metric_value(const TrackCounts& counts, std::string_view metric);
 std::size_t metric_count(const TrackCounts& counts, std::string_view metric);
 
+/// The value of a metric of the scan's edges. Throws as above.
+std::optional<double> metric_value(const CompletenessRow& row, std::string_view metric);
+
 /// The 95 % interval of a figure; empty if the figure has none. Throws like metric_value().
 std::optional<Interval> metric_interval(const Summary& summary, std::string_view metric);
 std::optional<Interval> metric_interval(const MatchCounts& counts, std::string_view metric);
+std::optional<Interval> metric_interval(const CompletenessRow& row, std::string_view metric);
 
 /// Number of lines on which a figure is based: all lines for evaluated_share and
 /// evaluated_share_by_length, the ridges and hips for horizontal and vertical components, else the

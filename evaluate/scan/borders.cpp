@@ -180,11 +180,6 @@ std::optional<Border> fit_border(const ScanRegion& region,
   return border;
 }
 
-bool is_next_to(const Eigen::Vector2d& x, std::span<const Segment2> seams, double reach_m) {
-  return std::ranges::any_of(seams,
-                             [&](const Segment2& seam) { return distance(seam, x) <= reach_m; });
-}
-
 /// Runs of free sides of a loop as chains of vertices.
 std::vector<Chain> chains_of(const ScanRegion& region,
                              const std::vector<std::size_t>& loop,
@@ -194,7 +189,7 @@ std::vector<Chain> chains_of(const ScanRegion& region,
   const auto vertex = [&](std::size_t i) { return region.uv[loop[i % n]]; };
   std::vector<char> is_free(n);
   for (std::size_t i = 0; i < n; ++i)
-    is_free[i] = is_next_to(0.5 * (vertex(i) + vertex(i + 1)), seams, reach_m) ? 0 : 1;
+    is_free[i] = is_next_to_seam(0.5 * (vertex(i) + vertex(i + 1)), seams, reach_m) ? 0 : 1;
   std::size_t start = 0;
   const auto seam = std::ranges::find(is_free, 0);
   if (seam != is_free.end()) {
@@ -220,6 +215,11 @@ std::vector<Chain> chains_of(const ScanRegion& region,
 
 }  // namespace
 
+bool is_next_to_seam(const Eigen::Vector2d& x, std::span<const Segment2> seams, double reach_m) {
+  return std::ranges::any_of(seams,
+                             [&](const Segment2& seam) { return distance(seam, x) <= reach_m; });
+}
+
 double supported_share(std::span<const Eigen::Vector2d> st_m, double length_m, double reach_m) {
   std::vector<double> s;
   for (const Eigen::Vector2d& x : st_m) s.push_back(x.x());
@@ -232,12 +232,6 @@ double supported_share(std::span<const Eigen::Vector2d> st_m, double length_m, d
     end_m = high;
   }
   return covered_m / length_m;
-}
-
-bool is_next_to_seam(const ScanRegion& region,
-                     const Eigen::Vector2d& x,
-                     std::span<const Segment2> seams) {
-  return is_next_to(x, seams, kSeamReachSpacings * region.spacing_m);
 }
 
 namespace {

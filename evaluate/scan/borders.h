@@ -28,9 +28,7 @@ std::vector<Border> find_borders(const ScanRegion& region, std::span<const Segme
 /// The share of a line's length with points within reach along it; x of the points is the place.
 double supported_share(std::span<const Eigen::Vector2d> st_m, double length_m, double reach_m);
 
-/// Whether a place on the border of a region belongs to one of its seams.
-bool is_next_to_seam(const ScanRegion& region,
-                     const Eigen::Vector2d& x,
-                     std::span<const Segment2> seams);
+/// Whether a place in the plane of a region belongs to one of its seams.
+bool is_next_to_seam(const Eigen::Vector2d& x, std::span<const Segment2> seams, double reach_m);
 
 }  // namespace ridgeline::evaluate

@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/scan/edge_model.h"
 
+#include "evaluate/probability.h"
+
 #include <Eigen/Dense>
 
 namespace ridgeline::evaluate {
 namespace {
+
+/// By how much intervals of 1.96 sigma must be widened because a few points determine sigma.
+double widening(const PlaneFit& plane) {
+  constexpr double kInterval = 0.975;
+  if (plane.n <= 3) return 1.0;
+  return student_t_quantile(plane.n - 3.0, kInterval) / normal_quantile(kInterval);
+}
 
 /// Covariance of (a, b) of the displacement a + b s of a plane along its normal, at the places
 /// middle + s direction.
@@ -17,7 +26,8 @@ Eigen::Matrix2d plane_covariance(const PlaneFit& plane,
   j << 1.0, at.x(), at.y(), 0.0, along.x(), along.y();
   const Eigen::Vector3d variances(1.0 / plane.n, 1.0 / plane.spread_m2.x(),
                                   1.0 / plane.spread_m2.y());
-  return plane.sigma0_m * plane.sigma0_m * j * variances.asDiagonal() * j.transpose();
+  const double sigma_m = widening(plane) * plane.sigma0_m;
+  return sigma_m * sigma_m * j * variances.asDiagonal() * j.transpose();
 }
 
 EdgeModel line_through(const Segment3& segment) {

@@ -94,10 +94,10 @@ class EdgeSearch {
   /// Lengths of the free border of the regions that seams connect, m.
   struct Surrounded {
     double deep_m = 0.0;   ///< much lower ground lies beyond
-    double other_m = 0.0;  ///< the rest, but for sides where a roof rises
+    double other_m = 0.0;  ///< the rest, but for sides where another roof lies
   };
 
-  /// A roof is what stands above most of what surrounds it. Sides where a higher roof begins show
+  /// A roof is what stands above most of what surrounds it. Sides where another roof lies show
   /// nothing, so that the roofs between others are found after these.
   void mark_roofs() {
     constexpr double kMinDeepShare = 0.5;
@@ -134,11 +134,12 @@ class EdgeSearch {
 
   void add_surroundings(std::size_t r, Surrounded& sum) const {
     const ScanRegion& region = regions_[r];
+    constexpr double kReachSpacings = 3.0;  // the sides of cells lie up to a cell off
     const std::vector<Segment2> seams = seams_in_plane(r);
     for (const CellSide& side : coarse_border(region)) {
-      if (is_next_to_seam(region, side.middle_m, seams)) continue;
+      if (is_next_to_seam(side.middle_m, seams, kReachSpacings * region.spacing_m)) continue;
       const Seen seen = surroundings_.beyond(region, side.middle_m, side.out);
-      if (seen.what == Beyond::kNothing || (seen.what == Beyond::kHigher && seen.is_roof)) continue;
+      if (seen.what == Beyond::kNothing || seen.is_roof) continue;
       (seen.what == Beyond::kDeep ? sum.deep_m : sum.other_m) += region.spacing_m;
     }
   }

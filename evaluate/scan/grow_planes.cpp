@@ -15,7 +15,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr std::size_t kMinRegionPoints = 12;
+constexpr std::size_t kMinRegionPoints = 8;
 constexpr double kMaxNormalAngle_deg = 20.0;
 /// A point near a plane whose own surroundings are steeper to it than this is on a wall.
 constexpr std::ptrdiff_t kMinSharedNeighbours = 34;  ///< per cent
@@ -89,9 +89,12 @@ class Growth {
     local_.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
       local_.push_back(local_plane(points, neighbours.of(i)));
+    max_noise_m_ = max_noise_m();
   }
 
   PlaneRegions grow() {
+    seed_regions();
+    look_closer();
     seed_regions();
     fill();
     unite();
@@ -110,13 +113,34 @@ class Growth {
     return *middle;
   }
 
+  /// The largest noise of a surface that is plane: not much more than the lower quartile of all
+  /// points, because ground and plants are rougher than roofs.
+  double max_noise_m() const {
+    constexpr double kMaxNoise = 1.6, kMinNoise_m = 0.005;
+    std::vector<double> sigmas;
+    sigmas.reserve(local_.size());
+    for (const LocalPlane& plane : local_) sigmas.push_back(plane.sigma_m);
+    const auto quartile = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 4);
+    std::ranges::nth_element(sigmas, quartile);
+    return std::max(kMaxNoise * *quartile, kMinNoise_m);
+  }
+
+  /// Planes through fewer neighbours for the points that have no region yet: the sides of a dormer
+  /// are so small that the surroundings of all their points reach across its ridge.
+  void look_closer() {
+    constexpr std::size_t kCloseNeighbours = 7;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      if (region_of_[i] == kNoRegion)
+        local_[i] = local_plane(points_, neighbours_.of(i).first(kCloseNeighbours));
+  }
+
   void seed_regions() {
-    std::vector<std::size_t> seeds(points_.size());
-    std::iota(seeds.begin(), seeds.end(), std::size_t{0});
+    std::vector<std::size_t> seeds;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      if (region_of_[i] == kNoRegion && local_[i].sigma_m <= max_noise_m_) seeds.push_back(i);
     std::ranges::stable_sort(seeds, {}, [&](std::size_t i) { return local_[i].sigma_m; });
     tried_.assign(points_.size(), 0);
     for (const std::size_t seed : seeds) {
-      if (kMaxDeviation * local_[seed].sigma_m > kMaxTolerance_m) break;
       if (region_of_[seed] == kNoRegion && tried_[seed] == 0) grow_from(seed);
     }
   }
@@ -124,7 +148,7 @@ class Growth {
   void grow_from(std::size_t seed) {
     const int id = static_cast<int>(fits_.size());
     Plane3 plane(local_[seed].normal, mean_around(seed));
-    double tolerance_m = tolerance_of(noise_around_m(seed));
+    const double tolerance_m = tolerance_of(std::min(noise_around_m(seed), max_noise_m_));
     std::vector<std::size_t> members{seed};
     region_of_[seed] = id;
     std::size_t refit_at = kMinRegionPoints;
@@ -383,6 +407,7 @@ class Growth {
   std::vector<LocalPlane> local_;
   std::vector<int> region_of_;
   std::vector<char> tried_;
+  double max_noise_m_ = 0.0;
   std::vector<PlaneFit> fits_;
   std::vector<std::vector<std::size_t>> members_;
 };

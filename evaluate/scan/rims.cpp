@@ -14,6 +14,7 @@ namespace {
 constexpr double kMinRim_m = 0.2, kMaxRim_m = 1.5;
 constexpr double kRimReach_m = 1.2;  ///< how far outside of the border its points may lie
 constexpr std::size_t kMinRimPoints = 5;
+constexpr double kMinRimLength_m = 3.0;  ///< a branch over a border has no length
 
 struct RimPoint {
   Eigen::Vector2d st;
@@ -47,6 +48,7 @@ std::optional<Rim> find_rim(const ScanRegion& region,
                             const Surroundings& surroundings) {
   constexpr double kMinShare = 0.6, kMinSupport = 0.7, kRimReachSpacings = 2.0, kDeviations = 3.5;
   const double length_m = length(border.uv_m), sigma_m = region.fit.sigma0_m;
+  if (length_m < kMinRimLength_m) return std::nullopt;
   std::vector<RimPoint> points = points_above(region, border.uv_m, surroundings);
   if (points.size() < kMinRimPoints) return std::nullopt;
   std::vector<double> heights;

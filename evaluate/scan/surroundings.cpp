@@ -15,7 +15,8 @@ Seen Surroundings::within(const ScanRegion& region,
   const Eigen::Vector2d to = region.in_local(x + reach_m * out).head<2>();
   const Eigen::Vector2d u = (to - from).normalized();
   const double length_m = (to - from).norm();
-  double lowest_m = HUGE_VAL, highest_m = -HUGE_VAL;
+  const double border_z = region.in_local(x).z();
+  double lowest_m = HUGE_VAL, highest_m = -HUGE_VAL, lowest_z = HUGE_VAL;
   Seen seen;
   grid_.visit_near({from, to}, kHalfWidth_m, [&](const PointGrid::Point& p) {
     const Eigen::Vector2d d = p.x.head<2>() - from;
@@ -24,14 +25,15 @@ Seen Surroundings::within(const ScanRegion& region,
     const double above_m = p.x.z() - height_at(region.fit.plane, p.x.head<2>());
     lowest_m = std::min(lowest_m, above_m);
     highest_m = std::max(highest_m, above_m);
+    lowest_z = std::min(lowest_z, p.x.z());
     const int r = region_of_[p.index];
     if (r != kNoRegion && is_roof_[static_cast<std::size_t>(r)]) seen.is_roof = true;
   });
   if (lowest_m == HUGE_VAL) return seen;
-  seen.what = lowest_m < -kDeep_m   ? Beyond::kDeep
-              : lowest_m < -kStep_m ? Beyond::kLower
-              : highest_m > kStep_m ? Beyond::kHigher
-                                    : Beyond::kLevel;
+  seen.what = lowest_z < border_z - kDeep_m ? Beyond::kDeep
+              : lowest_m < -kStep_m         ? Beyond::kLower
+              : highest_m > kStep_m         ? Beyond::kHigher
+                                            : Beyond::kLevel;
   return seen;
 }
 

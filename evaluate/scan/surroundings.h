@@ -19,7 +19,7 @@ enum class Beyond : std::uint8_t {
   kNothing,  ///< no points: the end of the scan
   kLevel,
   kLower,   ///< by more than half a metre
-  kDeep,    ///< by more than two metres
+  kDeep,    ///< more than two metres below the border itself
   kHigher,  ///< by more than half a metre, and nothing lower
 };
 

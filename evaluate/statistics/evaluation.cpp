@@ -28,6 +28,7 @@ std::vector<Evaluation> on_common_lines(std::span<const Evaluation> evaluations)
     });
     evaluation.decoys.clear();
     evaluation.elsewhere.reset();
+    evaluation.completeness.reset();
     evaluation.area.reset();
     evaluation = with_summaries(std::move(evaluation));
   }

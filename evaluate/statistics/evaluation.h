@@ -3,6 +3,7 @@
 
 #include "evaluate/line_evaluation.h"
 #include "evaluate/statistics/cloud_following.h"
+#include "evaluate/statistics/completeness.h"
 #include "evaluate/statistics/constant_shift.h"
 #include "evaluate/statistics/decoy_figures.h"
 #include "evaluate/statistics/summary.h"
@@ -49,6 +50,8 @@ struct Evaluation {
   std::optional<CloudFollowing>
       elsewhere{};                 ///< of the same lines moved far away; empty if none were
   std::optional<AreaPart> area{};  ///< if only the lines of one area were judged
+  /// Which edges of the scan the lines have found; empty if they were not compared.
+  std::optional<Completeness> completeness{};
 };
 
 /// `evaluation` with `classes` computed from its lines and options.
@@ -56,8 +59,8 @@ Evaluation with_summaries(Evaluation evaluation);
 
 /// The evaluations reduced to the lines, by id, that are `evaluated` in all of them: the paired
 /// line set on which methods are compared. Summaries are recomputed; decoys, which refer to all
-/// lines, are left out. Throws std::invalid_argument if the evaluations are not all of the same
-/// patch.
+/// lines, are left out, and so is completeness. Throws std::invalid_argument if the evaluations are
+/// not all of the same patch.
 std::vector<Evaluation> on_common_lines(std::span<const Evaluation> evaluations);
 
 }  // namespace ridgeline::evaluate

@@ -5,6 +5,7 @@
 #include "evaluate/statistics/standards.h"
 #include "evaluate/statistics/strata.h"
 #include "evaluate/tables/area_json.h"
+#include "evaluate/tables/completeness_json.h"
 #include "evaluate/tables/decoy_json.h"
 #include "evaluate/tables/shift_json.h"
 #include "evaluate/tables/summary_json.h"
@@ -209,6 +210,9 @@ Json evaluation_json(const Evaluation& evaluation) {
             {"calibration", total_calibration_json(evaluation)},
             {"strata", strata_json(evaluation)}};
   if (evaluation.area) json["area"] = area_json(*evaluation.area);
+  if (evaluation.completeness) {
+    json["completeness"] = completeness_json(*evaluation.completeness, evaluation.origin_m);
+  }
   json["lines"] = std::move(lines);
   return json;
 }

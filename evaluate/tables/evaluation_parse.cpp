@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/tables/area_json.h"
+#include "evaluate/tables/completeness_json.h"
 #include "evaluate/tables/decoy_json.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/shift_json.h"
@@ -222,6 +223,9 @@ Evaluation parse_evaluation(std::string_view json) {
   if (root.contains("decoys")) evaluation.decoys = parse_decoys(root["decoys"]);
   if (root.contains("elsewhere")) evaluation.elsewhere = parse_following(root["elsewhere"]);
   if (root.contains("area")) evaluation.area = parse_area(root["area"]);
+  if (root.contains("completeness")) {
+    evaluation.completeness = parse_completeness(root["completeness"], evaluation.origin_m);
+  }
   const Json& lines = array(root, "lines");
   for (std::size_t i = 0; i < lines.size(); ++i) {
     try {

@@ -156,6 +156,39 @@ TEST_F(Models, AreJudgedAreaByAreaAsAtOnce) {
   }
 }
 
+/// Roof edges of the scan on a building, and those that the model lacks.
+TEST_F(Models, LackWhatTheScanShowsBeyondThem) {
+  std::vector<test::MadeBuilding> made = buildings();
+  io::BuildingModel model = io::model_of(made, true);
+  model.crs = {"EPSG:25832"};
+  model.attributes.rows.resize(4);
+  // the second house has no roof, the fourth is not in the model
+  std::erase_if(model.faces, [](const Face& face) {
+    return face.building == 3 || (face.building == 1 && face.kind == FaceKind::kRoof);
+  });
+  io::write_model(path("old.city.json").string(), model, io::ModelFormat::kCityJson);
+  const ProgramResult result = judge("old.city.json", "out", {"--completeness"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("lie on no building"));
+  const auto n_edges = column("out/buildings.csv", "n_scan_edges");
+  const auto n_missing = column("out/buildings.csv", "n_missing_edges");
+  ASSERT_GE(n_edges.size(), 3U);
+  for (const std::size_t right : {0U, 2U}) {
+    EXPECT_GE(std::stoi(n_edges[right]), 5);
+    EXPECT_LE(std::stoi(n_missing[right]), 1);
+  }
+  const std::vector<test::CsvRow> roofs = test::read_csv(path("out/missing_roofs.csv"));
+  ASSERT_GE(roofs.size(), 2U);
+  for (const test::CsvRow& roof : roofs) {
+    EXPECT_GE(std::stod(roof.at("area_m2")), 20.0);
+    EXPECT_LE(std::stod(roof.at("explained_share")), 0.5);
+    EXPECT_NEAR(std::stod(roof.at("x")), io::kMadeOrigin.x() + 90.0, 10.0);
+  }
+  ASSERT_EQ(judge("old.city.json", "out").exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(path("out/missing_roofs.csv")));
+  EXPECT_THAT(read(path("out/buildings.csv")), Not(HasSubstr("n_scan_edges")));
+}
+
 TEST_F(Models, LowerRoofsAreJudgedByTheirOwnPlaneAlsoInPieces) {
   // A flat roof whose level part at a wall is 3 m lower than the house behind; the lower one is two
   // faces side by side.

@@ -98,6 +98,24 @@ class LinesThatWereMovedOnPurpose(Case):
         self.assertTrue(ridgeline.gate(result, [gate]).passed)
 
 
+class EdgesOfTheScan(Case):
+    def test_are_compared_on_request(self):
+        result = ridgeline.evaluate(LINES, CLOUD, completeness=True, decoys=0)
+        found = result.completeness
+        rows = {row["kind"]: row for row in found["rows"] if row["length"] == "all"}
+        self.assertEqual(rows["all"]["n"], len(found["edges"]))
+        self.assertEqual(rows["all"]["n_found"], sum(edge["covered_share"] >= 0.5 for edge in found["edges"]))
+        self.assertEqual(found["area_from"], "lines")
+        self.assertEqual([row["n"] for row in result.tables["completeness"]], [row["n"] for row in found["rows"]])
+        gate = {"metric": "scan_recall", "min": 0.01}
+        self.assertTrue(ridgeline.gate(result, [gate]).passed)
+
+    def test_are_left_out_by_default(self):
+        result = ridgeline.evaluate(LINES, CLOUD, decoys=0)
+        self.assertIsNone(result.completeness)
+        self.assertNotIn("completeness", result.tables)
+
+
 class EvaluateTakesArrays(Case):
     def setUp(self):
         super().setUp()

@@ -118,6 +118,20 @@ class Result:
         return decoys
 
     @cached_property
+    def completeness(self) -> dict[str, Any] | None:
+        """Which roof edges of the cloud the lines show; None without completeness=True.
+
+        rows: one dict per kind ("ridge", "hip", "valley", "eave", "verge", "step", "all") and length
+        ("2-4", "4-8", "8+" metres, "all"): n, n_found, recall with ci95, length_m, covered_m,
+        recall_length. edges: one dict per edge: kind, start_m and end_m in map coordinates, metres,
+        length_m, covered_share; it is found if that is at least 0.5. n_lines_without_edge: number of
+        the n_lines that follow no edge of the cloud; they may be right. area_from, area_m2: where the
+        edges were looked for (docs/outputs.md).
+        """
+        completeness: dict[str, Any] | None = self.to_dict().get("completeness")
+        return completeness
+
+    @cached_property
     def buildings(self) -> list[dict[str, Any]]:
         """The buildings of a model, one dict per building; empty for other line files.
 
@@ -129,9 +143,9 @@ class Result:
 
     @cached_property
     def tables(self) -> dict[str, list[dict[str, Any]]]:
-        """The tables by name, each row a dict: table2 and parts; tolerances; decoys; with reference
-        lines, reference_errors, reference_completeness and wireframe; for models, buildings, faces
-        and kinds. Columns as in the files of the same name (docs/outputs.md)."""
+        """The tables by name, each row a dict: table2 and parts; tolerances; decoys; completeness; with
+        reference lines, reference_errors, reference_completeness and wireframe; for models,
+        buildings, faces, kinds and, with completeness, missing_roofs. Columns as in the files of the same name (docs/outputs.md)."""
         return {name: [_typed(row) for row in csv.DictReader(io.StringIO(text))] for name, text in self._judged.tables()}
 
     @cached_property
@@ -194,6 +208,7 @@ def evaluate(
     apply_shift: bool = False,
     geoid: Path | None = None,
     decoys: int | None = None,
+    completeness: bool = False,
     strict: bool = False,
     salvage: bool = False,
     vertex_pairs: bool = False,
@@ -231,6 +246,8 @@ def evaluate(
     decoys: number of lines to move on purpose and judge again (Result.decoys); default: half the
         number of lines, at least 200 and at most 2,000; 0: none, and no check that the lines fit
         better in place than elsewhere.
+    completeness: find the roof edges in the cloud and report which of them the lines show
+        (Result.completeness); takes several seconds per million points.
     cloud_memory_mib: memory for points; larger clouds are processed in batches of neighbouring
         lines.
     name: name of the patch in the tables; default: that of the patch file or the cloud.
@@ -265,6 +282,7 @@ def evaluate(
         "bootstrap_replicates": bootstrap_replicates,
         "bootstrap_seed": bootstrap_seed,
         "cloud_memory_mib": cloud_memory_mib,
+        "completeness": completeness,
         "decoys": decoys,
         "geoid": None if geoid is None else os.fspath(geoid),
         "gross_m": gross_m,

@@ -288,7 +288,7 @@ TEST(ToBuildingsCsv, HasOneRowABuilding) {
   row.points_rms_m = 0.05;
   row.points_p90_m = 0.08;
   row.covered = 0.9;
-  const std::string csv = evaluate::buildings_csv_header() +
+  const std::string csv = evaluate::buildings_csv_header(false) +
                           evaluate::buildings_csv_rows("m", std::vector{row, BuildingRow{}});
   EXPECT_EQ(
       csv,

@@ -83,7 +83,8 @@ TEST_P(ExactRoof, HasItsBordersWithinTheGapOfThePoints) {
     const ScanEdge* const best = nearest(found, edge.segment);
     n_found += best != nullptr && distance_m(best->segment, edge.segment) <= kTolerance_m ? 1 : 0;
   }
-  EXPECT_GE(n_found, n - 1) << n_found << " of " << n;  // one may be in a gap of random points
+  // some lie in a gap of the random points
+  EXPECT_GE(5 * n_found, 4 * n) << n_found << " of " << n;
 }
 
 TEST_P(ExactRoof, HasNoOtherEdges) {

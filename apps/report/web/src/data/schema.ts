@@ -255,6 +255,26 @@ export interface DecoyFigure {
   withheld_share: number | null;
 }
 
+/** Edges of the scan of a kind and length. */
+export interface CompletenessRow {
+  kind: string;
+  length: string;
+  n: number;
+  recall: number | null;
+  ci95: [number, number] | null;
+  recall_length: number | null;
+  n_not_in_images: number;
+}
+
+/** Which edges of the scan the lines have found. */
+export interface Completeness {
+  area_from: string;
+  area_m2: number;
+  n_lines: number;
+  n_lines_without_edge: number;
+  rows: CompletenessRow[];
+}
+
 export interface Method {
   name: string;
   options: { gross_m: number; [key: string]: unknown };
@@ -266,6 +286,8 @@ export interface Method {
   standards?: Record<string, Standards>;
   /** Empty if no lines were moved. */
   decoys?: DecoyFigure[];
+  /** Only if the lines were compared with the edges of the scan. */
+  completeness?: Completeness;
   lines: Line[];
   planes: Plane[];
   plane_of_point: string;

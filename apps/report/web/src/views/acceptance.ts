@@ -6,6 +6,7 @@ import type { Report, Summary } from '../data/schema';
 import type { State } from '../state';
 import { h, replace } from '../ui/dom';
 import { interval, metres, percent } from '../ui/format';
+import { completeness } from './completeness';
 import { decoys } from './decoys';
 import { comparedFiles, lineFiles } from './line_files';
 import { Plan } from './plan';
@@ -80,6 +81,7 @@ export class Acceptance {
   readonly element: HTMLElement;
   private readonly plan: Plan;
   private readonly worst: WorstLines;
+  private readonly completeness = h('div', { id: 'completeness' });
   private readonly decoys = h('div', { id: 'decoys' });
   private readonly toFix = h('div', { id: 'to-fix' });
 
@@ -88,7 +90,7 @@ export class Acceptance {
     this.plan = new Plan(state);
     this.worst = new WorstLines(state);
     this.element = h('section', { id: 'acceptance' }, verdict(report),
-      h('div', { class: 'columns' }, h('div', { class: 'summary' }, keyFigure(report), lineFiles(state), facts(report), this.decoys), this.worst.element, this.toFix, this.plan.element));
+      h('div', { class: 'columns' }, h('div', { class: 'summary' }, keyFigure(report), lineFiles(state), facts(report), this.completeness, this.decoys), this.worst.element, this.toFix, this.plan.element));
     this.show();
     state.onChange((now, before) => {
       if (now.patch !== before.patch || now.method !== before.method) this.show();
@@ -99,6 +101,7 @@ export class Acceptance {
   show(): void {
     this.plan.show(this.state.patch, this.state.method);
     this.worst.show(this.state.patch, this.state.method);
+    replace(this.completeness, completeness(this.state.method));
     replace(this.decoys, decoys(this.state.method));
     replace(this.toFix, ...toFix(this.state, this.state.method));
   }
