@@ -10,7 +10,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr std::array kEdgeKinds{"ridge", "hip", "valley", "eave", "verge", "step"};
+constexpr std::array kKindsInOrder{"ridge", "hip", "valley", "eave", "verge", "step"};
 constexpr const char* kAllKinds = "total";
 
 EdgesOfKind row_of(const std::string& kind, std::span<const ScanEdge> edges) {
@@ -42,7 +42,7 @@ double across_sigma_m(const ScanEdge& edge) {
 
 std::vector<EdgesOfKind> by_kind(std::span<const ScanEdge> edges) {
   std::vector<EdgesOfKind> rows =
-      transformed(kEdgeKinds, [&](const char* kind) { return row_of(kind, edges); });
+      transformed(kKindsInOrder, [&](const char* kind) { return row_of(kind, edges); });
   rows.push_back(row_of(kAllKinds, edges));
   return rows;
 }
