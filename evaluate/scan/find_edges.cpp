@@ -44,6 +44,7 @@ class EdgeSearch {
   EdgeSearch(std::span<const Eigen::Vector3d> points, const ScanOptions& options)
       : points_(points),
         grid_(PointGrid::build(points.size(), [&](std::size_t i) { return points[i]; })),
+        only_roofs_(options.only_roofs),
         surroundings_(grid_, region_of_, is_roof_, options.only_roofs) {}
 
   ScanEdges find(const Neighbours& neighbours) {
@@ -53,8 +54,12 @@ class EdgeSearch {
     for (PlaneRegion& region : planes.regions)
       regions_.push_back(make_scan_region(std::move(region), points_, neighbours));
     seams_ = find_seams(regions_, pairs_);
-    mark_roofs();
-    drop_small_roofs();
+    if (only_roofs_) {
+      mark_all();
+    } else {
+      mark_roofs();
+      drop_small_roofs();
+    }
     add_planes();
     add_seams();
     add_borders();
@@ -91,6 +96,14 @@ class EdgeSearch {
     return seams;
   }
 
+  bool may_be_roof(std::size_t r) const {
+    return !regions_[r].is_upright && regions_[r].area_m2() >= kMinArea_m2;
+  }
+
+  void mark_all() {
+    for (std::size_t r = 0; r < regions_.size(); ++r) is_roof_.push_back(may_be_roof(r));
+  }
+
   /// Lengths of the free border of the regions that seams connect, m.
   struct Surrounded {
     double deep_m = 0.0;   ///< much lower ground lies beyond
@@ -111,7 +124,7 @@ class EdgeSearch {
         if (!regions_[r].is_upright) add_surroundings(r, around[bodies.name_of(r)]);
       for (std::size_t r = 0; r < regions_.size(); ++r) {
         const Surrounded& body = around[bodies.name_of(r)];
-        if (is_roof_[r] || regions_[r].is_upright || regions_[r].area_m2() < kMinArea_m2 ||
+        if (is_roof_[r] || !may_be_roof(r) ||
             body.deep_m <= kMinDeepShare * (body.deep_m + body.other_m))
           continue;
         is_roof_[r] = changed = true;
@@ -243,6 +256,7 @@ class EdgeSearch {
   std::vector<Seam> seams_;
   std::vector<int> region_of_;
   std::vector<bool> is_roof_;
+  bool only_roofs_;
   Surroundings surroundings_;
   std::vector<FoundEdge> edges_;
   ScanEdges result_;
