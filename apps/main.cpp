@@ -90,7 +90,7 @@ constexpr std::array kCommands{
         "edges", "find the roof edges of a point cloud as 3D lines",
         "  ridgeline edges --cloud 'tiles/*.laz' --out edges.gpkg\n"
         "  ridgeline edges --cloud lidar.las --classes 2,6 --min-length-m 2 --out edges.dxf\n\n"
-        "Curved roofs, trees, and planes below about a dozen points are not found. Eaves, verges "
+        "Curved roofs, trees, and planes with fewer than eight points are not found. Eaves, verges "
         "and steps\nare moved out to where the roof most probably ends; moved_out_m states by "
         "how much.",
         add_edges},

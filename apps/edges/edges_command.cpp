@@ -26,8 +26,6 @@
 namespace ridgeline::apps {
 namespace {
 
-constexpr int kBuilding = 6;  // class of ASPRS
-
 struct EdgesArguments {
   CloudArguments cloud;
   std::string out, format;
@@ -43,7 +41,7 @@ results::EdgesOfCloud find_all_edges(io::CloudFiles& cloud, const EdgesArguments
       [&](std::size_t n_done, std::size_t n_total) {
         progress.show(n_done, n_total, "cells of the map");
       },
-      {.only_roofs = a.only_roofs || a.cloud.classes == std::vector<int>{kBuilding}});
+      {.only_roofs = a.only_roofs || results::keeps_only_buildings(read_options(a.cloud))});
 }
 
 /// The page of the file: edges.html for edges.gpkg; empty for none.

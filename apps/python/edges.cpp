@@ -30,6 +30,7 @@ py::dict edges_of(const py::object& cloud, const py::dict& entries) {
   take(entries, "cloud_memory_mib", cloud_memory_mib);
   take(entries, "min_length_m", min_length_m);
   take(entries, "only_roofs", scan.only_roofs);
+  scan.only_roofs = scan.only_roofs || results::keeps_only_buildings(options);
   const CloudInput input = cloud_input(cloud, entries);
   return dict_of(interruptibly([&] {
     io::CloudFiles files = input.open(options);

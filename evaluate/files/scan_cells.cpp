@@ -14,6 +14,7 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -328,6 +329,11 @@ EdgesOfCloud edges_of_cloud(io::CloudFiles& cloud,
   found.edges = in_area(std::move(found.edges),
                         {area_in_world_m->min() - origin, area_in_world_m->max() - origin});
   return found;
+}
+
+bool keeps_only_buildings(const io::ReadOptions& options) {
+  constexpr std::uint8_t kBuildings = 6;
+  return options.classes == std::set{kBuildings};
 }
 
 void require_points(const CloudReadings& readings, const io::CloudFiles& cloud) {

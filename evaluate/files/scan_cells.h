@@ -41,6 +41,10 @@ EdgesOfCloud edges_of_cloud(io::CloudFiles& cloud,
                             const CellProgress& progress = {},
                             const evaluate::ScanOptions& options = {});
 
+/// Whether the options keep only the class of buildings (6), so that the cloud has no ground: see
+/// ScanOptions::only_roofs.
+bool keeps_only_buildings(const io::ReadOptions& options);
+
 /// Throws IoError if no point was read.
 void require_points(const CloudReadings& readings, const io::CloudFiles& cloud);
 

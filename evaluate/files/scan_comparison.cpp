@@ -36,12 +36,8 @@ ScanEdges edges_in(const Eigen::AlignedBox2d& box_m,
   if (box_m.isEmpty()) return {};
   const Eigen::Vector2d origin_m = cloud.frame().origin_m.head<2>();
   const Eigen::AlignedBox2d in_world_m(box_m.min() + origin_m, box_m.max() + origin_m);
-  // with the class of buildings alone there is no ground
-  constexpr int kBuildings = 6;
-  const auto& classes = options.cloud.classes;
-  const bool only_roofs = classes && classes->size() == 1 && classes->contains(kBuildings);
   EdgesOfCloud found = edges_of_cloud(cloud, in_world_m, options.cloud_memory_mib << 20U, {},
-                                      {.only_roofs = only_roofs});
+                                      {.only_roofs = keeps_only_buildings(options.cloud)});
   for (std::string& warning : found.readings.cloud.warnings) {
     const bool is_new = std::ranges::find(warnings, warning) == warnings.end();
     if (is_new) warnings.push_back(std::move(warning));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/scan/edge_kinds.h"
 
+#include "reconstruct/geometry/transformed.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +10,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr std::array kEdgeKinds{"ridge", "hip", "valley", "eave", "verge", "step"};
+constexpr std::array kKindsInOrder{"ridge", "hip", "valley", "eave", "verge", "step"};
 constexpr const char* kAllKinds = "total";
 
 EdgesOfKind row_of(const std::string& kind, std::span<const ScanEdge> edges) {
@@ -39,8 +41,8 @@ double across_sigma_m(const ScanEdge& edge) {
 }
 
 std::vector<EdgesOfKind> by_kind(std::span<const ScanEdge> edges) {
-  std::vector<EdgesOfKind> rows;
-  for (const char* const kind : kEdgeKinds) rows.push_back(row_of(kind, edges));
+  std::vector<EdgesOfKind> rows =
+      transformed(kKindsInOrder, [&](const char* kind) { return row_of(kind, edges); });
   rows.push_back(row_of(kAllKinds, edges));
   return rows;
 }

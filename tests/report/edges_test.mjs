@@ -47,10 +47,10 @@ test('counts the edges of the file by kind', async () => {
 test('draws the edges of the kinds that are switched on', async () => {
   const all = await inked();
   assert.ok(all > 1000);
-  await page.getByLabel('eave').uncheck();
+  await page.getByRole('checkbox', { name: 'eave' }).uncheck();
   await drawn(page);
   assert.ok(await inked() < all);
-  await page.getByLabel('eave').check();
+  await page.getByRole('checkbox', { name: 'eave' }).check();
 });
 
 test('marks the edge of a section', async () => {

@@ -47,11 +47,10 @@ def edges(
     Arrays must not change during the call. Warns about suspicious inputs. Raises
     FileNotFoundError, InputFileError, and ValueError or TypeError for an invalid value.
     """
-    kept = None if classes is None else list(classes)
     options = {
         **cloud_options(
             bounds,
-            kept,
+            classes,
             include_withheld=include_withheld,
             last_returns=last_returns,
             max_resolution_m=max_resolution_m,
@@ -62,7 +61,7 @@ def edges(
         ),
         "cloud_memory_mib": cloud_memory_mib,
         "min_length_m": float(min_length_m),
-        "only_roofs": only_roofs or kept == [6],
+        "only_roofs": only_roofs,
         "scale_to_ground": scale_to_ground,
     }
     points, of_points = cloud_source(cloud, strict=strict)
