@@ -74,6 +74,26 @@ std::vector<Interval1> common(std::span<const Interval1> a, std::span<const Inte
   return both;
 }
 
+/// How far, on average, the points of a region next to a part of a line lie above another plane.
+double height_above_m(const ScanRegion& region,
+                      const Plane3& plane,
+                      const InfiniteLine& line,
+                      const Interval1& part) {
+  constexpr double kReach = 4.0;  // spacings
+  double sum_m = 0.0;
+  int n = 0;
+  for (const Eigen::Vector2d& uv : region.uv) {
+    const Eigen::Vector3d x = region.in_local(uv);
+    const double s = line.direction.dot(x - line.x);
+    if (s < part.low || s > part.high ||
+        (x - line.x - s * line.direction).norm() > kReach * region.spacing_m)
+      continue;
+    sum_m += plane.signedDistance(x);
+    ++n;
+  }
+  return n == 0 ? 0.0 : sum_m / n;
+}
+
 void add_seams(std::span<const ScanRegion> regions,
                std::size_t a,
                std::size_t b,
@@ -82,7 +102,6 @@ void add_seams(std::span<const ScanRegion> regions,
   if (!line) return;
   const double spacing_m = std::max(regions[a].spacing_m, regions[b].spacing_m);
   const double reach_m = kSeamReach * spacing_m, support_m = kSeamSupport * spacing_m;
-  const bool is_valley = regions[b].fit.plane.signedDistance(regions[a].fit.centroid) > 0.0;
   const std::vector<Interval1> on_a = covered(regions[a], *line, reach_m, support_m);
   const std::vector<Interval1> on_b = covered(regions[b], *line, reach_m, support_m);
   for (const Interval1& part : common(on_a, on_b)) {
@@ -90,10 +109,12 @@ void add_seams(std::span<const ScanRegion> regions,
     const double beyond_m = spacing_m / (2.0 * kSeamReach);
     const double low = part.low + support_m - beyond_m, high = part.high - support_m + beyond_m;
     if (high - low < kMinSeam_m) continue;
+    const double above_m = height_above_m(regions[a], regions[b].fit.plane, *line, part) +
+                           height_above_m(regions[b], regions[a].fit.plane, *line, part);
     seams.push_back({.regions = {a, b},
                      .segment = {line->x + low * line->direction, line->x + high * line->direction},
                      .support = 1.0,
-                     .is_valley = is_valley});
+                     .is_valley = above_m > 0.0});
   }
 }
 
