@@ -65,7 +65,8 @@ io::PlanMask mask_of(const CellRange& range, const LocalFrame& frame) {
   const Eigen::Vector2d origin = frame.origin_m.head<2>();
   const Eigen::AlignedBox2d box(box_of(range.first, {}, kCellMargin_m).min() - origin,
                                 box_of(range.last, {}, kCellMargin_m).max() - origin);
-  const std::int64_t n_strips = std::min(range.n_rows(), kMostStrips);
+  // narrow ones, because the mask reaches beyond their ends by half their height
+  const std::int64_t n_strips = std::min(4 * range.n_rows(), kMostStrips);
   const double height_m = box.sizes().y() / static_cast<double>(n_strips);
   std::vector<Segment2> strips;
   for (std::int64_t i = 0; i < n_strips; ++i) {
