@@ -10,7 +10,7 @@ Seen Surroundings::within(const ScanRegion& region,
                           const Eigen::Vector2d& x,
                           const Eigen::Vector2d& out,
                           double reach_m) const {
-  constexpr double kGap_m = 0.3, kHalfWidth_m = 0.75, kStep_m = 0.5, kDeep_m = 2.0;
+  constexpr double kGap_m = 0.3, kHalfWidth_m = 0.75, kStep_m = 0.5, kDeep_m = 1.7;
   const Eigen::Vector2d from = region.in_local(x + kGap_m * out).head<2>();
   const Eigen::Vector2d to = region.in_local(x + reach_m * out).head<2>();
   const Eigen::Vector2d u = (to - from).normalized();

@@ -19,7 +19,7 @@ enum class Beyond : std::uint8_t {
   kNothing,  ///< no points: the end of the scan
   kLevel,
   kLower,   ///< by more than half a metre
-  kDeep,    ///< more than two metres below the border itself
+  kDeep,    ///< more than 1.7 m below the border itself: cars are lower
   kHigher,  ///< by more than half a metre, and nothing lower
 };
 
