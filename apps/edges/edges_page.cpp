@@ -26,8 +26,8 @@ using evaluate::ScanPlane;
 using PageJson = nlohmann::ordered_json;
 
 constexpr int kEdgesSchema = 1;
-constexpr std::size_t kMostEdges = 20000;   ///< in the plan, the longest; 2 MB
-constexpr std::size_t kMostPlanes = 20000;  ///< likewise, the largest
+constexpr std::size_t kMaxEdges = 20000;   ///< in the plan, the longest; 2 MB
+constexpr std::size_t kMaxPlanes = 20000;  ///< likewise, the largest
 constexpr std::size_t kSectionsPerKind = 2;
 constexpr double kSectionHalfWidth_m = 0.75;
 constexpr double kSectionReach_m = 8.0;
@@ -180,7 +180,7 @@ class PlanJson {
   [[nodiscard]] PageJson edges(const ScanEdges& all) const {
     PageJson json = PageJson::array();
     const auto size = [&](std::size_t i) { return length(all.edges[i].segment); };
-    for (const std::size_t i : largest(all.edges.size(), kMostEdges, size)) {
+    for (const std::size_t i : largest(all.edges.size(), kMaxEdges, size)) {
       const Segment2 s = plan(all.edges[i].segment);
       const Eigen::Vector2d a = s.start - origin_m_, b = s.end - origin_m_;
       json.push_back({fmt::format("{}", i + 1), all.edges[i].kind, to_cm(a.x()), to_cm(a.y()),
@@ -191,7 +191,7 @@ class PlanJson {
   [[nodiscard]] PageJson planes(const ScanEdges& all) const {
     PageJson json = PageJson::array();
     const auto size = [&](std::size_t i) { return all.planes[i].area_m2; };
-    for (const std::size_t i : largest(all.planes.size(), kMostPlanes, size)) {
+    for (const std::size_t i : largest(all.planes.size(), kMaxPlanes, size)) {
       const ScanPlane& plane = all.planes[i];
       if (!plane.is_roof) continue;
       const std::optional<double> aspect_deg = results::aspect_deg(plane.fit.plane);
@@ -222,12 +222,12 @@ class PlanJson {
 
 PageJson notes_json(const ScanEdges& edges, std::size_t n_roofs) {
   PageJson notes = PageJson::array();
-  if (edges.edges.size() > kMostEdges) {
+  if (edges.edges.size() > kMaxEdges) {
     notes.push_back(
-        fmt::format("The plan shows the {} longest of {} edges.", kMostEdges, edges.edges.size()));
+        fmt::format("The plan shows the {} longest of {} edges.", kMaxEdges, edges.edges.size()));
   }
-  if (n_roofs > kMostPlanes) {
-    notes.push_back(fmt::format("The plan shows the {} largest planes.", kMostPlanes));
+  if (n_roofs > kMaxPlanes) {
+    notes.push_back(fmt::format("The plan shows the {} largest planes.", kMaxPlanes));
   }
   return notes;
 }

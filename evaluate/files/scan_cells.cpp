@@ -61,12 +61,12 @@ std::pair<CellRange, CellRange> halves(const CellRange& range) {
 
 /// A mask that contains the rectangle and its margin.
 io::PlanMask mask_of(const CellRange& range, const LocalFrame& frame) {
-  constexpr std::int64_t kMostStrips = 64;
+  constexpr std::int64_t kMaxStrips = 64;
   const Eigen::Vector2d origin = frame.origin_m.head<2>();
   const Eigen::AlignedBox2d box(box_of(range.first, {}, kCellMargin_m).min() - origin,
                                 box_of(range.last, {}, kCellMargin_m).max() - origin);
   // narrow ones, because the mask reaches beyond their ends by half their height
-  const std::int64_t n_strips = std::min(4 * range.n_rows(), kMostStrips);
+  const std::int64_t n_strips = std::min(4 * range.n_rows(), kMaxStrips);
   const double height_m = box.sizes().y() / static_cast<double>(n_strips);
   std::vector<Segment2> strips;
   for (std::int64_t i = 0; i < n_strips; ++i) {

@@ -18,12 +18,12 @@ using boost::polygon::voronoi_diagram;
 
 constexpr double kUnitsPerMetre = 10000.0;
 
-struct Triangle {
+struct DelaunayTriangle {
   std::array<std::size_t, 3> corners;  ///< counter-clockwise
   double circumradius_m;
 };
 
-std::vector<Triangle> delaunay(std::span<const Eigen::Vector2d> points_m) {
+std::vector<DelaunayTriangle> delaunay(std::span<const Eigen::Vector2d> points_m) {
   std::vector<boost::polygon::point_data<std::int32_t>> sites;
   sites.reserve(points_m.size());
   const Eigen::Vector2d origin = points_m[0];
@@ -34,7 +34,7 @@ std::vector<Triangle> delaunay(std::span<const Eigen::Vector2d> points_m) {
   }
   voronoi_diagram<double> diagram;
   boost::polygon::construct_voronoi(sites.begin(), sites.end(), &diagram);
-  std::vector<Triangle> triangles;
+  std::vector<DelaunayTriangle> triangles;
   triangles.reserve(2 * points_m.size());
   for (const auto& vertex : diagram.vertices()) {
     const Eigen::Vector2d centre =
@@ -53,7 +53,7 @@ std::vector<Triangle> delaunay(std::span<const Eigen::Vector2d> points_m) {
   return triangles;
 }
 
-double area_m2(const Triangle& t, std::span<const Eigen::Vector2d> x) {
+double area_m2(const DelaunayTriangle& t, std::span<const Eigen::Vector2d> x) {
   const Eigen::Vector2d a = x[t.corners[1]] - x[t.corners[0]],
                         b = x[t.corners[2]] - x[t.corners[0]];
   return 0.5 * (a.x() * b.y() - a.y() * b.x());
@@ -62,19 +62,19 @@ double area_m2(const Triangle& t, std::span<const Eigen::Vector2d> x) {
 /// The largest circumradius that is still covered. For random points of density r, r pi R^2 has the
 /// distribution 1 - (1 + x) exp(-x) with the median 1.678; of 10,000 triangles about four are
 /// larger than 1.8 / sqrt(r).
-double largest_radius_m(std::span<const Triangle> triangles) {
+double largest_radius_m(std::span<const DelaunayTriangle> triangles) {
   constexpr double kMedian = 1.678, kSpacings = 1.8;
   std::vector<double> radii;
-  for (const Triangle& t : triangles) radii.push_back(t.circumradius_m);
+  for (const DelaunayTriangle& t : triangles) radii.push_back(t.circumradius_m);
   const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
   std::ranges::nth_element(radii, middle);
   return kSpacings * *middle * std::sqrt(std::numbers::pi / kMedian);
 }
 
 /// Directed edges that only one triangle has, chained.
-std::vector<std::vector<std::size_t>> loops_of(const std::vector<Triangle>& triangles) {
+std::vector<std::vector<std::size_t>> loops_of(const std::vector<DelaunayTriangle>& triangles) {
   std::map<std::pair<std::size_t, std::size_t>, int> sides;
-  for (const Triangle& t : triangles) {
+  for (const DelaunayTriangle& t : triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::pair side(t.corners[i], t.corners[(i + 1) % 3]);
       const auto opposite = sides.find({side.second, side.first});
@@ -105,12 +105,13 @@ std::vector<std::vector<std::size_t>> loops_of(const std::vector<Triangle>& tria
 AlphaShape alpha_shape(std::span<const Eigen::Vector2d> points_m) {
   AlphaShape shape;
   if (points_m.size() < 3) return shape;
-  std::vector<Triangle> triangles = delaunay(points_m);
-  std::erase_if(triangles, [&](const Triangle& t) { return !(area_m2(t, points_m) > 0.0); });
+  std::vector<DelaunayTriangle> triangles = delaunay(points_m);
+  std::erase_if(triangles,
+                [&](const DelaunayTriangle& t) { return !(area_m2(t, points_m) > 0.0); });
   if (triangles.empty()) return shape;
   const double limit_m = largest_radius_m(triangles);
-  std::erase_if(triangles, [&](const Triangle& t) { return t.circumradius_m > limit_m; });
-  for (const Triangle& t : triangles) shape.area_m2 += area_m2(t, points_m);
+  std::erase_if(triangles, [&](const DelaunayTriangle& t) { return t.circumradius_m > limit_m; });
+  for (const DelaunayTriangle& t : triangles) shape.area_m2 += area_m2(t, points_m);
   shape.loops = loops_of(triangles);
   return shape;
 }

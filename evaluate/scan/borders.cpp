@@ -22,7 +22,7 @@ constexpr double kStripSpacings = 5.0;  ///< width of the strip whose points sho
 
 using Chain = std::vector<Eigen::Vector2d>;
 
-struct Piece {
+struct ChainPiece {
   std::size_t first, last;  ///< vertices of the chain
 };
 
@@ -32,7 +32,7 @@ double right_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen:
   return d.y() * (x.x() - a.x()) - d.x() * (x.y() - a.y());
 }
 
-double largest_deviation(const Chain& chain, Piece piece, std::size_t& at) {
+double largest_deviation(const Chain& chain, ChainPiece piece, std::size_t& at) {
   double largest = 0.0;
   const Segment2 chord{chain[piece.first], chain[piece.last]};
   for (std::size_t i = piece.first + 1; i < piece.last; ++i) {
@@ -45,7 +45,10 @@ double largest_deviation(const Chain& chain, Piece piece, std::size_t& at) {
 }
 
 /// Douglas and Peucker 1973.
-void split(const Chain& chain, Piece piece, double tolerance_m, std::vector<Piece>& pieces) {
+void split(const Chain& chain,
+           ChainPiece piece,
+           double tolerance_m,
+           std::vector<ChainPiece>& pieces) {
   std::size_t at = piece.first;
   if (piece.last - piece.first < 2 || largest_deviation(chain, piece, at) <= tolerance_m) {
     pieces.push_back(piece);
@@ -56,7 +59,7 @@ void split(const Chain& chain, Piece piece, double tolerance_m, std::vector<Piec
 }
 
 /// The regression line of the vertices of a piece, in the direction of the chain.
-Segment2 regression(const Chain& chain, Piece piece) {
+Segment2 regression(const Chain& chain, ChainPiece piece) {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   for (std::size_t i = piece.first; i <= piece.last; ++i) mean += chain[i];
   mean /= static_cast<double>(piece.last - piece.first + 1);
@@ -70,7 +73,7 @@ Segment2 regression(const Chain& chain, Piece piece) {
 }
 
 /// The largest distance of a vertex of a piece from its regression line.
-double crookedness_m(const Chain& chain, Piece piece) {
+double crookedness_m(const Chain& chain, ChainPiece piece) {
   const Segment2 line = regression(chain, piece);
   double largest = 0.0;
   for (std::size_t i = piece.first; i <= piece.last; ++i)
@@ -78,14 +81,14 @@ double crookedness_m(const Chain& chain, Piece piece) {
   return largest;
 }
 
-bool turns(const Chain& chain, Piece a, Piece b) {
+bool turns(const Chain& chain, ChainPiece a, ChainPiece b) {
   const Segment2 x = regression(chain, a), y = regression(chain, b);
   return length(x) > kMinBorder_m && length(y) > kMinBorder_m &&
          along(x).dot(along(y)) < std::cos(kMaxJoinedAngle_deg * kRadPerDeg);
 }
 
 /// Unites neighbouring pieces that are straight together, the straightest first.
-void unite(const Chain& chain, double tolerance_m, std::vector<Piece>& pieces) {
+void unite(const Chain& chain, double tolerance_m, std::vector<ChainPiece>& pieces) {
   while (true) {
     std::size_t best = pieces.size();
     double least_m = tolerance_m;
@@ -242,10 +245,10 @@ std::vector<Segment2> chords_of(const ScanRegion& region, std::span<const Segmen
   std::vector<Segment2> chords;
   for (const auto& loop : region.shape.loops) {
     for (const Chain& chain : chains_of(region, loop, seams)) {
-      std::vector<Piece> pieces;
+      std::vector<ChainPiece> pieces;
       split(chain, {0, chain.size() - 1}, tolerance_m, pieces);
       unite(chain, tolerance_m, pieces);
-      for (const Piece& piece : pieces) {
+      for (const ChainPiece& piece : pieces) {
         const Segment2 chord = regression(chain, piece);
         if (length(chord) >= kMinBorder_m) chords.push_back(chord);
       }

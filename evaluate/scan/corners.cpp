@@ -56,7 +56,7 @@ class Corners {
   }
 
  private:
-  struct Meeting {
+  struct CornerPair {
     double distance_m;  ///< by which the farther end is moved
     EdgeEnd a, b;
   };
@@ -80,14 +80,14 @@ class Corners {
   /// Joins ends, the nearest first, but never both ends of one edge.
   void join_nearest() {
     std::ranges::sort(meetings_, {},
-                      [](const Meeting& m) { return std::tuple(m.distance_m, m.a, m.b); });
+                      [](const CornerPair& m) { return std::tuple(m.distance_m, m.a, m.b); });
     std::map<std::size_t, std::vector<EdgeEnd>> members;
     const auto ends_of = [&](std::size_t name) -> std::vector<EdgeEnd>& {
       std::vector<EdgeEnd>& ends = members[name];
       if (ends.empty()) ends.push_back(name);
       return ends;
     };
-    for (const Meeting& m : meetings_) {
+    for (const CornerPair& m : meetings_) {
       const std::size_t a = sets_.name_of(m.a), b = sets_.name_of(m.b);
       if (a == b) continue;
       const std::vector<EdgeEnd> of_a = ends_of(a), of_b = ends_of(b);
@@ -145,7 +145,7 @@ class Corners {
 
   std::vector<FoundEdge>& edges_;
   DisjointSets sets_;
-  std::vector<Meeting> meetings_;
+  std::vector<CornerPair> meetings_;
 };
 
 }  // namespace

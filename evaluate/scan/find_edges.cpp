@@ -47,7 +47,7 @@ class EdgeSearch {
         only_roofs_(options.only_roofs),
         surroundings_(grid_, region_of_, is_roof_, options.only_roofs) {}
 
-  ScanEdges find(const Neighbours& neighbours) {
+  ScanEdges find(const PointNeighbours& neighbours) {
     PlaneRegions planes = grow_planes(points_, neighbours);
     pairs_ = touching(planes, neighbours);
     region_of_ = std::move(planes.region_of);
@@ -67,8 +67,8 @@ class EdgeSearch {
   }
 
  private:
-  static std::vector<std::pair<std::size_t, std::size_t>> touching(const PlaneRegions& planes,
-                                                                   const Neighbours& neighbours) {
+  static std::vector<std::pair<std::size_t, std::size_t>> touching(
+      const PlaneRegions& planes, const PointNeighbours& neighbours) {
     constexpr int kMinContacts = 3;
     std::map<std::pair<std::size_t, std::size_t>, int> contacts;
     for (std::size_t i = 0; i < planes.region_of.size(); ++i) {
@@ -257,7 +257,7 @@ class EdgeSearch {
   std::vector<int> region_of_;
   std::vector<bool> is_roof_;
   bool only_roofs_;
-  Surroundings surroundings_;
+  BorderSurroundings surroundings_;
   std::vector<FoundEdge> edges_;
   ScanEdges result_;
 };

@@ -84,7 +84,7 @@ PlaneFit trimmed_fit(std::span<const Eigen::Vector3d> points, std::vector<std::s
 
 class Growth {
  public:
-  Growth(std::span<const Eigen::Vector3d> points, const Neighbours& neighbours)
+  Growth(std::span<const Eigen::Vector3d> points, const PointNeighbours& neighbours)
       : points_(points), neighbours_(neighbours), region_of_(points.size(), kNoRegion) {
     local_.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -403,7 +403,7 @@ class Growth {
   }
 
   std::span<const Eigen::Vector3d> points_;
-  const Neighbours& neighbours_;
+  const PointNeighbours& neighbours_;
   std::vector<LocalPlane> local_;
   std::vector<int> region_of_;
   std::vector<char> tried_;
@@ -414,7 +414,8 @@ class Growth {
 
 }  // namespace
 
-PlaneRegions grow_planes(std::span<const Eigen::Vector3d> points, const Neighbours& neighbours) {
+PlaneRegions grow_planes(std::span<const Eigen::Vector3d> points,
+                         const PointNeighbours& neighbours) {
   return Growth(points, neighbours).grow();
 }
 

@@ -30,6 +30,7 @@ struct PlaneRegions {
 /// distance; the points that remain join the plane next to them; planes that continue each other
 /// are united; points near the line where two planes meet go to the one on whose side they lie.
 /// Regions of fewer than 12 points are dropped.
-PlaneRegions grow_planes(std::span<const Eigen::Vector3d> points, const Neighbours& neighbours);
+PlaneRegions grow_planes(std::span<const Eigen::Vector3d> points,
+                         const PointNeighbours& neighbours);
 
 }  // namespace ridgeline::evaluate

@@ -108,11 +108,11 @@ class CellGrid {
 
 }  // namespace
 
-Neighbours nearest_neighbours(std::span<const Eigen::Vector3d> points, std::size_t per_point) {
+PointNeighbours nearest_neighbours(std::span<const Eigen::Vector3d> points, std::size_t per_point) {
   check(points.size() > per_point, "nearest_neighbours: points = ", points.size(),
         ", must be more than ", per_point);
   const CellGrid grid(points);
-  Neighbours neighbours(points.size(), per_point);
+  PointNeighbours neighbours(points.size(), per_point);
   std::vector<CellGrid::Near> near(per_point);
   for (std::size_t i = 0; i < points.size(); ++i) {
     grid.find(points[i], near);

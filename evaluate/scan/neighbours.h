@@ -13,9 +13,9 @@ namespace ridgeline::evaluate {
 
 /// The nearest neighbours of each point, itself included, nearest first; at equal distances the one
 /// with the lower index first.
-class Neighbours {
+class PointNeighbours {
  public:
-  Neighbours(std::size_t n_points, std::size_t per_point)
+  PointNeighbours(std::size_t n_points, std::size_t per_point)
       : per_point_(per_point), indices_(n_points * per_point) {}
 
   [[nodiscard]] std::size_t per_point() const { return per_point_; }
@@ -33,10 +33,10 @@ class Neighbours {
 
 /// Searches a grid of cells in plan with about two points each, ring by ring.
 /// @param points  finite; more than `per_point` of them
-Neighbours nearest_neighbours(std::span<const Eigen::Vector3d> points, std::size_t per_point);
+PointNeighbours nearest_neighbours(std::span<const Eigen::Vector3d> points, std::size_t per_point);
 
 /// A function like nearest_neighbours(), for example with a search of PCL.
 using NeighbourSearch =
-    std::function<Neighbours(std::span<const Eigen::Vector3d> points, std::size_t per_point)>;
+    std::function<PointNeighbours(std::span<const Eigen::Vector3d> points, std::size_t per_point)>;
 
 }  // namespace ridgeline::evaluate

@@ -25,7 +25,7 @@ struct RimPoint {
 /// higher or on planes: a wall, a tree, the next roof.
 std::vector<RimPoint> points_above(const ScanRegion& region,
                                    const Segment2& border,
-                                   const Surroundings& surroundings) {
+                                   const BorderSurroundings& surroundings) {
   std::vector<RimPoint> points;
   std::size_t n_higher = 0;
   surroundings.visit_outside(region, border, kRimReach_m,
@@ -45,7 +45,7 @@ std::vector<RimPoint> points_above(const ScanRegion& region,
 
 std::optional<Rim> find_rim(const ScanRegion& region,
                             const Border& border,
-                            const Surroundings& surroundings) {
+                            const BorderSurroundings& surroundings) {
   constexpr double kMinShare = 0.6, kMinSupport = 0.7, kRimReachSpacings = 2.0, kDeviations = 3.5;
   const double length_m = length(border.uv_m), sigma_m = region.fit.sigma0_m;
   if (length_m < kMinRimLength_m) return std::nullopt;

@@ -18,6 +18,6 @@ struct Rim {
 /// The rim along a border: points at one height above the plane, next to most of the border.
 std::optional<Rim> find_rim(const ScanRegion& region,
                             const Border& border,
-                            const Surroundings& surroundings);
+                            const BorderSurroundings& surroundings);
 
 }  // namespace ridgeline::evaluate

@@ -34,8 +34,8 @@ ScanEdges RoofEdgeExtraction<PointT>::compute() {
 /// PCL's own order of points at nearly the same distance depends on the search and on rounding, so
 /// all points up to the distance of the last neighbour are ranked again.
 template <typename PointT>
-Neighbours RoofEdgeExtraction<PointT>::searched_neighbours(std::span<const Eigen::Vector3d> points,
-                                                           std::size_t per_point) const {
+PointNeighbours RoofEdgeExtraction<PointT>::searched_neighbours(
+    std::span<const Eigen::Vector3d> points, std::size_t per_point) const {
   constexpr double kRounding = 1e-5;  // of PCL's squared distances in float, generously
   const QuietPcl quiet;
   const auto cloud = std::make_shared<pcl::PointCloud<PointT>>();
@@ -44,7 +44,7 @@ Neighbours RoofEdgeExtraction<PointT>::searched_neighbours(std::span<const Eigen
     cloud->back().getVector3fMap() = x.cast<float>();
   }
   search_->setInputCloud(cloud);
-  Neighbours neighbours(points.size(), per_point);
+  PointNeighbours neighbours(points.size(), per_point);
   pcl::Indices found;
   std::vector<float> squared_m2;
   std::vector<std::pair<double, std::uint32_t>> ranked;

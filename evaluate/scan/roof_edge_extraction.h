@@ -48,8 +48,8 @@ class RoofEdgeExtraction : public pcl::PCLBase<PointT> {
   using pcl::PCLBase<PointT>::initCompute;
   using pcl::PCLBase<PointT>::deinitCompute;
 
-  [[nodiscard]] Neighbours searched_neighbours(std::span<const Eigen::Vector3d> points,
-                                               std::size_t per_point) const;
+  [[nodiscard]] PointNeighbours searched_neighbours(std::span<const Eigen::Vector3d> points,
+                                                    std::size_t per_point) const;
 
   ScanOptions options_;
   SearchPtr search_;

@@ -19,7 +19,7 @@ namespace {
 /// distribution of Gamma(k) with k points besides the first, if the points are random.
 double spacing_m_of(std::span<const std::size_t> of_region,
                     std::span<const Eigen::Vector3d> points,
-                    const Neighbours& neighbours) {
+                    const PointNeighbours& neighbours) {
   const double median_of_gamma = static_cast<double>(neighbours.per_point()) - 1.0 - 1.0 / 3.0;
   std::vector<double> squares;
   squares.reserve(of_region.size());
@@ -32,7 +32,7 @@ double spacing_m_of(std::span<const std::size_t> of_region,
 
 ScanRegion make_scan_region(PlaneRegion region,
                             std::span<const Eigen::Vector3d> points,
-                            const Neighbours& neighbours) {
+                            const PointNeighbours& neighbours) {
   constexpr double kUpright_deg = 75.0;
   ScanRegion result;
   result.fit = region.fit;

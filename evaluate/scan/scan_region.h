@@ -35,7 +35,7 @@ struct ScanRegion {
 
 ScanRegion make_scan_region(PlaneRegion region,
                             std::span<const Eigen::Vector3d> points,
-                            const Neighbours& neighbours);
+                            const PointNeighbours& neighbours);
 
 /// A side of the cells that a region covers, in its plane.
 struct CellSide {

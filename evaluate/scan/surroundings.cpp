@@ -6,10 +6,10 @@
 
 namespace ridgeline::evaluate {
 
-Seen Surroundings::within(const ScanRegion& region,
-                          const Eigen::Vector2d& x,
-                          const Eigen::Vector2d& out,
-                          double reach_m) const {
+Seen BorderSurroundings::within(const ScanRegion& region,
+                                const Eigen::Vector2d& x,
+                                const Eigen::Vector2d& out,
+                                double reach_m) const {
   constexpr double kGap_m = 0.3, kHalfWidth_m = 0.75, kStep_m = 0.5, kDeep_m = 1.7;
   const Eigen::Vector2d from = region.in_local(x + kGap_m * out).head<2>();
   const Eigen::Vector2d to = region.in_local(x + reach_m * out).head<2>();
@@ -39,9 +39,9 @@ Seen Surroundings::within(const ScanRegion& region,
   return seen;
 }
 
-Seen Surroundings::beyond(const ScanRegion& region,
-                          const Eigen::Vector2d& x,
-                          const Eigen::Vector2d& out) const {
+Seen BorderSurroundings::beyond(const ScanRegion& region,
+                                const Eigen::Vector2d& x,
+                                const Eigen::Vector2d& out) const {
   constexpr double kNear_m = 1.5, kFar_m = 6.0;
   const Seen near = within(region, x, out, kNear_m);
   if (near.what != Beyond::kNothing) return near;
@@ -50,7 +50,7 @@ Seen Surroundings::beyond(const ScanRegion& region,
   return far;
 }
 
-Beyond Surroundings::beyond(const ScanRegion& region, const Segment2& border) const {
+Beyond BorderSurroundings::beyond(const ScanRegion& region, const Segment2& border) const {
   constexpr double kStep_m = 0.7;
   const int n = static_cast<int>(std::ceil(length(border) / kStep_m));
   const Eigen::Vector2d u = along(border), out(u.y(), -u.x());

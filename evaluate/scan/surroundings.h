@@ -29,15 +29,15 @@ struct Seen {
 };
 
 /// The points around the borders of planes. Borrows its arguments.
-class Surroundings {
+class BorderSurroundings {
  public:
   /// @param region_of  of each point; kNoRegion for some
   /// @param is_roof  of each region; what is written to it later counts
   /// @param only_roofs  see ScanOptions; nothing is then kDeep
-  Surroundings(const PointGrid& grid,
-               const std::vector<int>& region_of,
-               const std::vector<bool>& is_roof,
-               bool only_roofs)
+  BorderSurroundings(const PointGrid& grid,
+                     const std::vector<int>& region_of,
+                     const std::vector<bool>& is_roof,
+                     bool only_roofs)
       : grid_(grid), region_of_(region_of), is_roof_(is_roof), only_roofs_(only_roofs) {}
 
   /// What lies outside of a region's border at x, in the direction `out`, both in its plane. Where
@@ -70,10 +70,10 @@ class Surroundings {
 };
 
 template <typename Visitor>
-void Surroundings::visit_outside(const ScanRegion& region,
-                                 const Segment2& border,
-                                 double width_m,
-                                 Visitor&& visit) const {
+void BorderSurroundings::visit_outside(const ScanRegion& region,
+                                       const Segment2& border,
+                                       double width_m,
+                                       Visitor&& visit) const {
   const Eigen::Vector2d u = along(border), out(u.y(), -u.x());
   const Segment2 in_plan{region.in_local(border.start).head<2>(),
                          region.in_local(border.end).head<2>()};

@@ -27,7 +27,7 @@ std::vector<Eigen::Vector3d> uneven_points() {
 TEST(NearestNeighbours, AreThoseOfABruteForceSearch) {
   constexpr std::size_t kNumber = 12;
   const std::vector<Eigen::Vector3d> points = uneven_points();
-  const Neighbours neighbours = nearest_neighbours(points, kNumber);
+  const PointNeighbours neighbours = nearest_neighbours(points, kNumber);
   for (std::size_t i = 0; i < points.size(); ++i) {
     std::vector<std::pair<double, std::uint32_t>> all;
     for (std::size_t k = 0; k < points.size(); ++k)
