@@ -148,18 +148,20 @@ TEST_F(ListedMetrics, WorkOnARunOrSayWhyNot) {
   EXPECT_EQ(std::erase(metrics, "decoy_share"), 1U);         // needs kind and distance_m
   ASSERT_THAT(metrics, testing::IsSupersetOf({"rms_m", "evaluated_share_by_length", "quality"}));
   const std::string wide = gates_of(metrics, "min: -10, max: 10", "min: 0, max: 1");
-  // Sample 1 has no reference tracks.
-  EXPECT_THAT(
-      failed("out", wide),
-      testing::UnorderedElementsAre("edge_recall", "observation_recall", "observation_precision"));
-  EXPECT_THAT(read(path("verdicts.json")), HasSubstr("reference_tracks"));
+  // Sample 1 has no reference tracks, and --completeness was not given.
+  EXPECT_THAT(failed("out", wide), testing::UnorderedElementsAre(
+                                       "edge_recall", "observation_recall", "observation_precision",
+                                       "scan_recall", "scan_recall_length"));
+  EXPECT_THAT(read(path("verdicts.json")),
+              testing::AllOf(HasSubstr("reference_tracks"), HasSubstr("`completeness`")));
   EXPECT_EQ(failed("out", gates_of(metrics, "min: 50", "min: 1, max: 0")),
             std::set<std::string>(metrics.begin(), metrics.end()));
 
   ASSERT_EQ(evaluate("scene/lines.good.geojson", "judged").exit_code, 0);
   EXPECT_THAT(failed("judged", wide),
               testing::UnorderedElementsAre("correctness", "completeness", "quality", "edge_recall",
-                                            "observation_recall", "observation_precision"));
+                                            "observation_recall", "observation_precision",
+                                            "scan_recall", "scan_recall_length"));
   EXPECT_THAT(read(path("verdicts.json")), HasSubstr("evaluate does not"));
 }
 
