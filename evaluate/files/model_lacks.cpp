@@ -20,10 +20,13 @@ double explained_share(const PlanPolygon& roof, const ModelPlan& plan) {
   constexpr double kMaxSamples = 1e4;
   const Eigen::Vector2d size_m = roof.box().sizes();
   const double step_m = std::max(kStep_m, std::sqrt(size_m.prod() / kMaxSamples));
+  const int n_rows = static_cast<int>(std::ceil(size_m.y() / step_m));
+  const int n_columns = static_cast<int>(std::ceil(size_m.x() / step_m));
   int n = 0, n_covered = 0;
-  for (double y = 0.5 * step_m; y < size_m.y(); y += step_m) {
-    for (double x = 0.5 * step_m; x < size_m.x(); x += step_m) {
-      const Eigen::Vector2d place = roof.box().min() + Eigen::Vector2d(x, y);
+  for (int row = 0; row < n_rows; ++row) {
+    for (int column = 0; column < n_columns; ++column) {
+      const Eigen::Vector2d place =
+          roof.box().min() + step_m * Eigen::Vector2d(column + 0.5, row + 0.5);
       if (!roof.contains(place)) continue;
       ++n;
       n_covered += plan.covers(place) ? 1 : 0;

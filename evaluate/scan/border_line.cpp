@@ -68,6 +68,7 @@ struct Node {
 /// Slopes to integrate over: an even grid, and a fine one at the usual slope.
 std::vector<std::pair<double, double>> slopes_and_weights(const BorderPoints& points) {
   std::vector<double> slopes;
+  slopes.reserve(kSlopeSteps);
   for (int i = 0; i < kSlopeSteps; ++i)
     slopes.push_back(kMaxSlope * (2.0 * i / (kSlopeSteps - 1.0) - 1.0));
   if (std::isfinite(points.usual_slope)) {

@@ -3,6 +3,7 @@
 
 #include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/faces/roof_edge.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -172,9 +173,9 @@ std::optional<Border> fit_border(const ScanRegion& region,
            (border.line.offset_m + border.line.slope * (s - 0.5 * length_m)) * right;
   };
   border.uv_m = {at(0.0), at(length_m)};
-  std::vector<double> t;
-  for (const Eigen::Vector2d& x : st)
-    t.push_back(x.y() - border.line.offset_m - border.line.slope * (x.x() - 0.5 * length_m));
+  const std::vector<double> t = transformed(st, [&](const Eigen::Vector2d& x) {
+    return x.y() - border.line.offset_m - border.line.slope * (x.x() - 0.5 * length_m);
+  });
   if (!is_covered(t, length_m, spacing_m)) return std::nullopt;
   std::erase_if(st, [&](const Eigen::Vector2d& x) {
     return x.y() < border.line.offset_m - kSeamReachSpacings * spacing_m;

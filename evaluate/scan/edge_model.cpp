@@ -67,11 +67,11 @@ EdgeModel model_of_seam(const Segment3& segment, const PlaneFit& a, const PlaneF
   const Eigen::Matrix2d inverse = n.inverse();
   Eigen::Matrix4d planes = Eigen::Matrix4d::Zero();  // of (a of both planes, b of both planes)
   const std::array fits{&a, &b};
-  for (int i = 0; i < 2; ++i) {
+  for (Eigen::Index i = 0; i < 2; ++i) {
     const Eigen::Matrix2d c =
         plane_covariance(*fits[static_cast<std::size_t>(i)], model.middle, model.direction);
-    for (int k = 0; k < 2; ++k)
-      for (int l = 0; l < 2; ++l) planes(i + 2 * k, i + 2 * l) = c(k, l);
+    for (Eigen::Index k = 0; k < 2; ++k)
+      for (Eigen::Index l = 0; l < 2; ++l) planes(i + 2 * k, i + 2 * l) = c(k, l);
   }
   Eigen::Matrix4d j = Eigen::Matrix4d::Zero();
   j.topLeftCorner<2, 2>() = inverse;
@@ -83,18 +83,16 @@ EdgeModel model_of_seam(const Segment3& segment, const PlaneFit& a, const PlaneF
 EdgeModel model_of_border(const Segment3& segment,
                           const Eigen::Vector3d& out,
                           const PlaneFit& plane,
-                          const BorderLine& line,
-                          double normal_variance_m2) {
+                          const BorderLine& line) {
   EdgeModel model = line_through(segment);
   model.across << out, model.direction.cross(out);
   const Eigen::Matrix2d c = plane_covariance(plane, model.middle, model.direction);
-  for (int k = 0; k < 2; ++k) {
-    for (int l = 0; l < 2; ++l) {
+  for (Eigen::Index k = 0; k < 2; ++k) {
+    for (Eigen::Index l = 0; l < 2; ++l) {
       model.covariance(2 * k, 2 * l) = line.covariance(k, l);
       model.covariance(2 * k + 1, 2 * l + 1) = c(k, l);
     }
   }
-  model.covariance(1, 1) += normal_variance_m2;
   return model;
 }
 

@@ -30,13 +30,12 @@ struct EdgeModel {
 /// The intersection of two planes, from the covariance of both.
 EdgeModel model_of_seam(const Segment3& segment, const PlaneFit& a, const PlaneFit& b);
 
-/// The border of a plane. `normal_variance_m2` is added across the plane.
+/// The border of a plane.
 /// @param segment  on the border, in the direction of the line's frame
 /// @param out  in the plane, unit
 EdgeModel model_of_border(const Segment3& segment,
                           const Eigen::Vector3d& out,
                           const PlaneFit& plane,
-                          const BorderLine& line,
-                          double normal_variance_m2 = 0.0);
+                          const BorderLine& line);
 
 }  // namespace ridgeline::evaluate

@@ -34,8 +34,7 @@ std::vector<Eigen::Vector3d> in_order(std::span<const Eigen::Vector3d> points) {
     if (x.allFinite()) sorted.push_back(x);
   const auto key = [](const Eigen::Vector3d& x) { return std::tuple(x.x(), x.y(), x.z()); };
   std::ranges::sort(sorted, {}, key);
-  const auto repeated = std::ranges::unique(sorted);
-  sorted.erase(repeated.begin(), repeated.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
   return sorted;
 }
 

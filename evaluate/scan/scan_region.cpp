@@ -57,8 +57,7 @@ std::vector<CellSide> coarse_border(const ScanRegion& region) {
   for (const Eigen::Vector2d& x : region.uv)
     cells.emplace_back(std::lround(x.x() / cell_m), std::lround(x.y() / cell_m));
   std::ranges::sort(cells);
-  const auto repeated = std::ranges::unique(cells);
-  cells.erase(repeated.begin(), repeated.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   std::vector<CellSide> sides;
   for (const auto& [column, row] : cells) {
     for (const auto& [dx, dy] :
