@@ -197,17 +197,17 @@ class Growth {
   }
 
   bool is_on(std::size_t i, const Plane3& plane, double tolerance_m) const {
-    static const double kMinCosine = std::cos(kMaxNormalAngle_deg * kRadPerDeg);
+    static const double min_cosine = std::cos(kMaxNormalAngle_deg * kRadPerDeg);
     return plane.absDistance(points_[i]) <= tolerance_m &&
-           std::abs(plane.normal().dot(local_[i].normal)) >= kMinCosine;
+           std::abs(plane.normal().dot(local_[i].normal)) >= min_cosine;
   }
 
   /// How far a point lies from the plane of a region, 1 being the limit for its points; infinite
   /// for the points of a wall that crosses it.
   double deviation(std::size_t i, int region) const {
-    static const double kMinCosine = std::cos(kMaxFringeAngle_deg * kRadPerDeg);
+    static const double min_cosine = std::cos(kMaxFringeAngle_deg * kRadPerDeg);
     const PlaneFit& fit = fits_[static_cast<std::size_t>(region)];
-    if (std::abs(fit.plane.normal().dot(local_[i].normal)) < kMinCosine) return HUGE_VAL;
+    if (std::abs(fit.plane.normal().dot(local_[i].normal)) < min_cosine) return HUGE_VAL;
     return fit.plane.absDistance(points_[i]) / tolerance_of(fit.sigma0_m);
   }
 

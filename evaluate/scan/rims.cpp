@@ -3,6 +3,7 @@
 
 #include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/median.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,18 +52,15 @@ std::optional<Rim> find_rim(const ScanRegion& region,
   if (length_m < kMinRimLength_m) return std::nullopt;
   std::vector<RimPoint> points = points_above(region, border.uv_m, surroundings);
   if (points.size() < kMinRimPoints) return std::nullopt;
-  std::vector<double> heights;
-  for (const RimPoint& p : points) heights.push_back(p.above_m);
   Rim rim;
-  rim.height_m = upper_median(heights);
+  rim.height_m = upper_median(transformed(points, &RimPoint::above_m));
   const auto n_all = static_cast<double>(points.size());
   const double tolerance_m = std::max(kDeviations * sigma_m, 0.1);
   std::erase_if(
       points, [&](const RimPoint& p) { return std::abs(p.above_m - rim.height_m) > tolerance_m; });
   const auto n = static_cast<double>(points.size());
   if (points.size() < kMinRimPoints || n < kMinShare * n_all) return std::nullopt;
-  std::vector<Eigen::Vector2d> st;
-  for (const RimPoint& p : points) st.push_back(p.st);
+  const std::vector<Eigen::Vector2d> st = transformed(points, &RimPoint::st);
   if (supported_share(st, length_m, kRimReachSpacings * region.spacing_m) < kMinSupport)
     return std::nullopt;
   rim.sigma_height_m = sigma_m / std::sqrt(n);

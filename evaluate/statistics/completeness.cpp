@@ -92,6 +92,7 @@ CompletenessRow completeness_row(const std::vector<ExpectedEdge>& edges,
   row.covered_m = covered_m.value();
   row.n_clusters = sums.size();
   std::vector<EdgeCluster> of_row;
+  of_row.reserve(sums.size());
   for (const auto& [name, cluster] : sums) of_row.push_back(cluster);
   row.ci95 = recall_interval(row, std::move(of_row), options);
   return row;
