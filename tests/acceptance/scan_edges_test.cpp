@@ -278,9 +278,10 @@ std::vector<Segment3> found_by_a_tool(const simulate::SyntheticScene& scene, Ran
 
 TEST(ScanEdgesAccuracy, CompletenessAgainstTheScanIsThatAgainstTrueLines) {
   constexpr double kTolerance = 0.03;
+  constexpr int kTools = 10;  // of 55 valleys, two alone are 3.6 %
   Recall of_truth, of_scan;
-  for (int i = 0; i < kVillages; ++i) {
-    const Village& village = village_of(kFirstSeed + i);
+  for (int i = 0; i < kVillages * kTools; ++i) {
+    const Village& village = village_of(kFirstSeed + i / kTools);
     Random random(kFirstSeed + i);
     const std::vector<Segment3> lines = found_by_a_tool(village.scene, random);
     for (const simulate::SceneLine& line : village.scene.lines) {
