@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -69,19 +68,9 @@ class EdgeSearch {
   static std::vector<std::pair<std::size_t, std::size_t>> touching(
       const PlaneRegions& planes, const PointNeighbours& neighbours) {
     constexpr int kMinContacts = 3;
-    std::map<std::pair<std::size_t, std::size_t>, int> contacts;
-    for (std::size_t i = 0; i < planes.region_of.size(); ++i) {
-      const int a = planes.region_of[i];
-      if (a == kNoRegion) continue;
-      for (const std::uint32_t k : neighbours.of(i)) {
-        const int b = planes.region_of[k];
-        if (b != kNoRegion && b != a)
-          ++contacts[std::minmax(static_cast<std::size_t>(a), static_cast<std::size_t>(b))];
-      }
-    }
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    for (const auto& [pair, n] : contacts)
-      if (n >= kMinContacts) pairs.push_back(pair);
+    for (const auto& [pair, n] : contacts_of(planes.region_of, neighbours))
+      if (n >= kMinContacts) pairs.emplace_back(pair.first, pair.second);
     return pairs;
   }
 

@@ -18,8 +18,9 @@ namespace {
 constexpr std::size_t kMinRegionPoints = 8;
 constexpr double kMaxNormalAngle_deg = 20.0;
 /// A point near a plane whose own surroundings are steeper to it than this is on a wall.
-constexpr std::ptrdiff_t kMinSharedNeighbours = 34;  ///< per cent
 constexpr double kMaxFringeAngle_deg = 60.0;
+/// A point of a plane has at least this share of its neighbours on it.
+constexpr double kMinSharedNeighbours = 0.34;
 /// A point belongs to a plane up to this many standard deviations of its points.
 constexpr double kMaxDeviation = 3.5;
 constexpr double kMinTolerance_m = 0.05, kMaxTolerance_m = 0.35;
@@ -248,21 +249,6 @@ class Growth {
     }
   }
 
-  /// How often a point of one region is a neighbour of a point of another.
-  std::map<std::pair<int, int>, int> contacts() const {
-    std::map<std::pair<int, int>, int> n;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const int a = region_of_[i];
-      if (a == kNoRegion) continue;
-      for (const std::uint32_t k : neighbours_.of(i)) {
-        const int b = region_of_[k];
-        if (b == kNoRegion || b == a) continue;
-        ++n[std::minmax(a, b)];
-      }
-    }
-    return n;
-  }
-
   bool continue_each_other(int a, int b) const {
     const PlaneFit& fa = fits_[static_cast<std::size_t>(a)];
     const PlaneFit& fb = fits_[static_cast<std::size_t>(b)];
@@ -282,7 +268,7 @@ class Growth {
 
   void unite() {
     DisjointSets sets(members_.size());
-    for (const auto& [pair, n] : contacts()) {
+    for (const auto& [pair, n] : contacts_of(region_of_, neighbours_)) {
       constexpr int kMinContacts = 6;
       if (n >= kMinContacts && continue_each_other(pair.first, pair.second))
         sets.join(static_cast<std::size_t>(pair.first), static_cast<std::size_t>(pair.second));
@@ -301,7 +287,8 @@ class Growth {
   /// in a valley.
   void separate() {
     std::map<std::pair<int, int>, int> sides;
-    for (const auto& [pair, n] : contacts()) sides[pair] = side_of(pair.first, pair.second);
+    for (const auto& [pair, n] : contacts_of(region_of_, neighbours_))
+      sides[pair] = side_of(pair.first, pair.second);
     std::vector<std::pair<std::size_t, int>> moved;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const int a = region_of_[i];
@@ -329,7 +316,8 @@ class Growth {
       if (region_of_[i] == kNoRegion) continue;
       const auto n = std::ranges::count_if(
           neighbours_.of(i), [&](std::uint32_t k) { return region_of_[k] == region_of_[i]; });
-      if (kMinSharedNeighbours * static_cast<std::ptrdiff_t>(neighbours_.per_point()) > n * 100)
+      if (static_cast<double>(n) <
+          kMinSharedNeighbours * static_cast<double>(neighbours_.per_point()))
         dropped.push_back(i);
     }
     for (const std::size_t i : dropped) region_of_[i] = kNoRegion;
@@ -368,32 +356,13 @@ class Growth {
     return fit.n == 0 || std::sqrt(fit.spread_m2.y() / fit.n) < kMinHalfWidth_m;
   }
 
-  /// The lower quartile of the noise of the regions, by points: ground and plants are rougher than
-  /// roofs.
-  double usual_noise_m() const {
-    std::vector<std::pair<double, std::size_t>> noise;
-    std::size_t n = 0;
-    for (std::size_t r = 0; r < members_.size(); ++r) {
-      noise.emplace_back(fits_[r].sigma0_m, members_[r].size());
-      n += members_[r].size();
-    }
-    std::ranges::sort(noise);
-    std::size_t below = 0;
-    for (const auto& [sigma_m, size] : noise) {
-      below += size;
-      if (4 * below >= n) return sigma_m;
-    }
-    return 0.0;
-  }
-
   PlaneRegions collected() {
-    constexpr double kMaxNoise = 2.0, kMinNoise_m = 0.005;
-    const double noise_m = std::max(usual_noise_m(), kMinNoise_m);
+    constexpr double kMaxNoise = 1.5;  // of a plane, against that of the surroundings of its seed
     PlaneRegions result;
     result.region_of.assign(points_.size(), kNoRegion);
     for (std::size_t r = 0; r < members_.size(); ++r) {
       if (members_[r].size() < kMinRegionPoints || is_strip(fits_[r]) ||
-          fits_[r].sigma0_m > kMaxNoise * noise_m)
+          fits_[r].sigma0_m > kMaxNoise * max_noise_m_)
         continue;
       for (const std::size_t i : members_[r])
         result.region_of[i] = static_cast<int>(result.regions.size());
@@ -413,6 +382,20 @@ class Growth {
 };
 
 }  // namespace
+
+std::map<std::pair<int, int>, int> contacts_of(std::span<const int> region_of,
+                                               const PointNeighbours& neighbours) {
+  std::map<std::pair<int, int>, int> n;
+  for (std::size_t i = 0; i < region_of.size(); ++i) {
+    const int a = region_of[i];
+    if (a == kNoRegion) continue;
+    for (const std::uint32_t k : neighbours.of(i)) {
+      const int b = region_of[k];
+      if (b != kNoRegion && b != a) ++n[std::minmax(a, b)];
+    }
+  }
+  return n;
+}
 
 PlaneRegions grow_planes(std::span<const Eigen::Vector3d> points,
                          const PointNeighbours& neighbours) {

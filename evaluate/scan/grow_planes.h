@@ -7,7 +7,9 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ridgeline::evaluate {
@@ -32,5 +34,10 @@ struct PlaneRegions {
 /// Regions of fewer than 12 points are dropped.
 PlaneRegions grow_planes(std::span<const Eigen::Vector3d> points,
                          const PointNeighbours& neighbours);
+
+/// How often a point of one region is a neighbour of a point of another, by their numbers,
+/// ascending.
+std::map<std::pair<int, int>, int> contacts_of(std::span<const int> region_of,
+                                               const PointNeighbours& neighbours);
 
 }  // namespace ridgeline::evaluate

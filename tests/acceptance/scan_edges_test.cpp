@@ -170,21 +170,8 @@ const Village& village_of(std::uint64_t seed) {
 
 /// The kind of a roof edge; empty for other true lines. Borders of level roofs are steps of a scan.
 std::string kind_of(const simulate::SceneLine& line) {
-  using simulate::LineKind;
-  switch (line.kind) {
-    case LineKind::kRidge:
-      return "ridge";
-    case LineKind::kHip:
-      return "hip";
-    case LineKind::kValley:
-      return "valley";
-    case LineKind::kEave:
-      return "eave";
-    case LineKind::kVerge:
-      return "verge";
-    default:
-      return "";
-  }
+  const std::string kind = simulate::name(line.kind);
+  return is_seam(kind) || kind == "eave" || kind == "verge" ? kind : "";
 }
 
 void add_village(const Village& village, Tallies& tallies) {
